@@ -494,3 +494,79 @@ def test_loads_are_given_in_units_of_modulus_and_gradient() -> None:
     for wrong in ("0 E*", "-1 E* h'", "x E*", "nan E* h'"):
         with refused_naming(by=ta.InputError):
             ta.boundary_elements(wave(), UNIT, pressure=wrong, size="1 um")
+
+
+STEEL_ON_GLASS = ta.Material("210 GPa", 0.3, counterface=ta.Material("70 GPa", 0.2))
+GLASS_ON_STEEL = ta.Material("70 GPa", 0.2, counterface=ta.Material("210 GPa", 0.3))
+
+
+def rough(seed: int, points: int = 40) -> npt.NDArray[np.float64]:
+    """Waves of all directions, in m."""
+    y, x = np.mgrid[0:points, 0:points]
+    waves = ((0.2 + 0.003 * n * n, 2.4 * n + seed) for n in range(1, 40))
+    heights: npt.NDArray[np.float64] = sum(
+        5e-8 / (k + 0.3) * np.sin(k * (np.cos(angle) * x + np.sin(angle) * y) + 7.0 * angle * angle) for k, angle in waves
+    ) * np.ones((points, points))
+    return heights
+
+
+def disc(heights: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """Heights with NaN outside a disc, and in a hole of it."""
+    y, x = np.indices(heights.shape) - 0.5 * (len(heights) - 1)
+    kept: npt.NDArray[np.float64] = np.where((np.hypot(x, y) < 18.0) & (np.hypot(x - 5.0, y) > 2.5), heights, np.nan)
+    return kept
+
+
+LOADS: dict[str, Any] = dict(pressure=["10 MPa", "100 MPa"], tolerance=1e-9)
+
+
+@pytest.mark.parametrize("more", [{}, {"periodic": True}, {"detrend": "none", "compliance": "punch"}])
+def test_two_maps_are_their_sum_and_change_places(more: dict[str, Any]) -> None:
+    own, other = rough(1), rough(2)
+    both = ta.boundary_elements(own, STEEL_ON_GLASS, counterface_surface=other, size="40 um", **LOADS, **more)
+    on_flat = ta.boundary_elements(own + other[:, ::-1], STEEL_ON_GLASS, size="40 um", **LOADS, **more)
+    exchanged = ta.boundary_elements(other, GLASS_ON_STEEL, counterface_surface=own, size="40 um", **LOADS, **more)
+    for found in (on_flat, exchanged):
+        assert np.array_equal(both.area_fraction, found.area_fraction)
+        for name in ("area_fraction_extrapolated", "stiffness_pa_per_m", "mean_gap_m"):
+            np.testing.assert_allclose(getattr(both, name), getattr(found, name), rtol=1e-9)
+    assert any(note.code == "facing-maps" for note in both.notes)
+
+
+def test_missing_points_never_touch_and_lie_outside_or_in_holes() -> None:
+    heights = disc(rough(1))
+    given: dict[str, Any] = dict(size="40 um", fields=True, **LOADS)
+    pressed = ta.boundary_elements(heights, GLASS, gaps="keep", **given)
+    missing = np.isnan(heights)
+    assert np.array_equal(np.isnan(pressed.height_m), missing) and np.all(pressed.pressure_pa[:, missing] == 0.0)
+    assert np.array_equal(np.isnan(pressed.gap_m[0]), missing)
+    hole = np.hypot(*(np.indices(heights.shape) - np.array([19.5, 24.5])[:, None, None])) <= 2.5
+    specimen = np.count_nonzero(~missing | hole)
+    np.testing.assert_allclose(pressed.area_fraction, np.count_nonzero(pressed.pressure_pa > 1.0, axis=(1, 2)) / specimen)
+    np.testing.assert_allclose(pressed.pressure_pa.sum(axis=(1, 2)) / specimen, [1e7, 1e8], rtol=1e-9)
+    masked = ta.boundary_elements(np.ma.masked_invalid(heights), GLASS, gaps="keep", **given)
+    assert np.array_equal(masked.area_fraction, pressed.area_fraction)
+    # Between two maps they stay missing without a word.
+    kept = ta.boundary_elements(heights, GLASS, counterface_surface=0.0 * heights[:, ::-1], **given)
+    assert np.array_equal(kept.area_fraction, pressed.area_fraction)
+    stiff = [
+        ta.boundary_elements(heights, GLASS, gaps="keep", compliance=kind, **given).stiffness_pa_per_m[0]
+        for kind in ("none", "punch", "even")
+    ]
+    assert stiff[0] == pressed.stiffness_pa_per_m[0] < stiff[1] < stiff[2]
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ({"gaps": "fill"}, "gaps: fill refuse keep"),
+        ({"compliance": "rigid"}, "compliance rigid"),
+        ({"periodic": True, "compliance": "even"}, "compliance free"),
+        ({"counterface_surface": np.zeros((2, 8, 8))}, "counterface_surface:"),
+        ({"counterface_surface": "psd.csv"}, "counterface_surface:"),
+        ({"counterface_surface": np.full((8, 8), np.inf)}, "counterface_surface: 64 infinite"),
+    ],
+)
+def test_what_faces_no_map_is_named(given: dict[str, Any], expected: str) -> None:
+    with refused_naming(*expected.split()):
+        ta.boundary_elements(wave(), GLASS, pressure="1 MPa", size="1 um", **given)

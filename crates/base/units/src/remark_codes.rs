@@ -373,7 +373,7 @@ remark_codes! {
         "{option} does not affect a {kind}; leave it out, or say what the file is with {--as}";
     OtherQuantity "scene-note" Note "{option} does not affect {--quantity=@quantity}; leave it out";
     OtherDialect "scene-note" Note "{option} does not affect {--dialect=@dialect}; leave it out";
-    NoFreeEdges "scene-note" Note "{option} affects only maps with free edges; leave it out, or give {--boundary=free}";
+    NoFreeEdges "scene-note" Note "{option} affects only maps with free edges, and this one repeats itself; leave it out";
     Replaced "scene-note" Note "{option} has no effect beside {--@other}; leave one of them out";
     FigureShowsSomethingElse "scene-note" Note "{option} has no effect on what this figure shows";
     NoCurveUsesIt "scene-note" Note "{option} has no effect: no curve depends on it";

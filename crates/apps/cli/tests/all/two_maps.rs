@@ -178,7 +178,7 @@ fn what_does_not_face_a_map_is_refused_with_what_to_type() {
         ("--counterface-scans other.txt sum.txt", &["--counterface-scans", "2 files", "own.txt"]),
         ("--counterface-scans other.txt:detrend=mean", &["other.txt", "detrend"]),
         ("--counterface-scans no.txt", &["no.txt", "no such file"]),
-        ("--boundary periodic --compliance punch", &["--compliance", "--boundary free"]),
+        ("--boundary periodic --compliance punch", &["--compliance", "free edges"]),
     ];
     for (more, names) in cases {
         let words = format!("bem own.txt {OPTIONS} {STEEL} --pressure 5MPa {more}");
