@@ -99,9 +99,10 @@ class GapAndSurfaceOptions(GapOptions, RandomSurfaces):
     """Options of models with a mean gap, and of random surfaces for boundary elements."""
 
 
-class PressOptions(TwoFaces, RandomSurfaces, total=False):
-    """A map of heights, or random surfaces, and how boundary elements press them."""
+class PressOptions(RandomSurfaces, total=False):
+    """A map of heights, or random surfaces, and how boundary elements press them; the other face is of the kind of the surface."""
 
+    counterface_surface: Any
     size: Quantity | Sequence[Quantity] | npt.NDArray[Any] | None
     detrend: Detrend | None
     tolerance: float | None
@@ -187,7 +188,7 @@ _ENTRIES = _entries("""\
 surface : Spectrum, Scan, sequence of scans, or path of a spectrum
     The roughness.
 counterface_surface : as ``surface``, optional
-    The roughness of the other face, whose spectrum is added; smooth where left out.
+    The roughness of the other face; smooth where left out. Spectra add; a map that faces a map is turned over and added.
 material : Material or str
     The bodies in contact, or the name of a material of the table.
 pressure : float, str, or sequence of them
