@@ -105,7 +105,9 @@ fn refused_for_a_reason(error: &TransformError, trial: &mut Trial<ScansCase>) {
     let case = trial.case;
     let missing = case.scan.missing.len();
     let reason = match error {
-        TransformError::Gaps(_) => case.treatment == GapTreatment::Refuse && missing > 0,
+        TransformError::Gaps(_) => {
+            matches!(case.treatment, GapTreatment::Refuse | GapTreatment::Keep) && missing > 0
+        }
         TransformError::TooManyGaps { share, bound } => {
             share > bound && case.treatment == GapTreatment::Harmonic
         }

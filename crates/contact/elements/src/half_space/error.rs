@@ -88,8 +88,8 @@ pub enum HalfSpaceError {
     FreeLayer,
     /// Only a flat is pressed onto a map with missing points, without adhesion.
     #[error(
-        "pressing boundary elements: {missing} points have no height, and only a flat without adhesion is pressed onto a map with \
-         missing points; have them filled (gaps = \"harmonic\")"
+        "pressing boundary elements: the map has missing points ({missing}), and only a flat without adhesion is pressed onto such a map; \
+         have them filled (gaps = \"harmonic\")"
     )]
     MissingPoints {
         /// Number of missing points.
