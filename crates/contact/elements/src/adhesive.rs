@@ -11,7 +11,8 @@ use thiserror::Error;
 use units::display::pressure;
 use units::named;
 
-use crate::relief::{Boundary, Relief};
+use crate::boundary::Boundary;
+use crate::relief::Relief;
 use crate::surfaces::Surfaces;
 use spectrum::random_surfaces::RandomSurfaceError;
 

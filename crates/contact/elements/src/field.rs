@@ -5,9 +5,10 @@ use std::io::{self, Write};
 
 use crate::half_space::Loading;
 
+use crate::boundary::Boundary;
 use crate::netcdf_classic::{Attribute, NetcdfFile, Variable};
 use crate::pressing::Pressing;
-use crate::relief::{Boundary, Relief};
+use crate::relief::Relief;
 
 /// Surface under one load, point by point.
 #[derive(Clone, Copy, Debug)]

@@ -10,8 +10,9 @@ use thiserror::Error;
 use units::display::length;
 use units::{Bound, OutOfBounds, Remark, RemarkCode};
 
+use crate::boundary::Boundary;
 use crate::placed::{LARGEST_EXTENT, PressureProfile, RINGS, RINGS_PER_RADIUS};
-use crate::relief::{Boundary, Relief};
+use crate::relief::Relief;
 use crate::surfaces::Surfaces;
 
 /// Shape of an indenter.

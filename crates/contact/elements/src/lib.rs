@@ -12,12 +12,14 @@
 //! * [`ContactField`]: pressures and gaps of one surface under one load, which can be written as NetCDF.
 
 mod adhesive;
+mod boundary;
 mod error;
 mod field;
 pub mod half_space;
 mod indenter;
 mod mean;
 mod netcdf_classic;
+mod outline;
 mod patches;
 mod placed;
 mod press;
@@ -30,18 +32,20 @@ mod surfaces;
 mod table;
 
 pub use adhesive::{AdhesiveError, AdhesivePressing, AdhesiveState, Branch, adhesive_means, adhesive_table};
+pub use boundary::Boundary;
 pub use error::ElementsError;
 pub use field::{ContactField, PointState, with_nan};
 pub use half_space::Approach;
 pub use indenter::{Indenter, IndenterError, IndenterPressing, IndenterShape, IndenterState, indenter_table};
 pub use mean::{Mean, PressedLoad};
+pub use outline::Outline;
 pub use patches::{PressedPatches, patches_table};
 pub use placed::LARGEST_EXTENT;
 pub use press::{press, progress_steps};
 pub use pressing::{ImposedLoad, Pressing};
 pub use random_choices::RandomChoices;
-pub use relief::{Boundary, Relief};
-pub use specimen::{Outline, SpecimenCompliance, stiffness_without};
+pub use relief::Relief;
+pub use specimen::{SpecimenCompliance, stiffness_without};
 pub use state::PressedState;
 pub use surfaces::{RandomSurfaces, Surfaces};
 pub use table::{means_table, states_table};

@@ -3,8 +3,8 @@
 use crate::half_space::{HalfSpaceError, Patch};
 use tables::Table;
 
+use crate::boundary::Boundary;
 use crate::field::{ContactField, PointState};
-use crate::relief::Boundary;
 
 /// Patches of one surface under one load.
 #[derive(Clone, Debug, PartialEq)]

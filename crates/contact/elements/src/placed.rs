@@ -2,7 +2,8 @@
 
 use crate::half_space::Contact;
 
-use crate::relief::{Boundary, Relief};
+use crate::boundary::Boundary;
+use crate::relief::Relief;
 
 /// Largest distance of a contact from the axis, as a share of half the shorter side: beyond it the edges of a map carry load
 /// like those of a punch, and images in a box are felt.

@@ -1,23 +1,11 @@
 //! Heights of one surface to be pressed.
 
+use crate::boundary::Boundary;
 use crate::half_space::{Contact, Elements, Grid, HalfSpaceError, Loading, OpenPaths, Sides, open_paths};
-use crate::specimen::Outline;
+use crate::outline::Outline;
 use asperity::LayerCompliance;
 use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
-use units::named;
-
-/// Boundary condition at the edges of a map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Boundary {
-    /// The map repeats itself.
-    Periodic,
-    /// The map is surrounded by a half-space without load.
-    Free,
-}
-
-named!(Boundary, "boundary", { Periodic => "periodic", Free => "free" });
 
 /// Heights on a grid of rows along x, with a boundary condition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use spectrum::random_surfaces::{AreaSpectrum, RandomSurfaceError, Synthesis};
 
-use crate::relief::{Boundary, Relief};
+use crate::boundary::Boundary;
+use crate::relief::Relief;
 
 /// Points per wave below which a grid no longer resolves the shortest wave.
 const FEWEST_POINTS: f64 = 2.0;

@@ -11,7 +11,7 @@ use crate::half_space::loading::{Approach, Closing, Loading};
 use crate::half_space::problem::{Held, Operators, Problem, State};
 use crate::half_space::stiffness::approach_per_pressure;
 use crate::half_space::{Grid, HalfSpaceError, operators, sums};
-use crate::specimen::Outline;
+use crate::outline::Outline;
 
 /// Number of progress steps of a solve: the residual's way to the tolerance, in decades, is divided into as many.
 pub const PROGRESS_STEPS: usize = 100;

@@ -196,7 +196,7 @@ fn a_trend_is_fitted_through_the_points_that_are_left() {
     // A tilted plane with a frame of missing points is flat without its trend.
     let plane = rows_of(12, |row, column| {
         let is_inside = (3..9).contains(&row) && (2..11).contains(&column);
-        is_inside.then(|| 3.0 + 0.7 * column as f64 - 0.4 * row as f64)
+        is_inside.then_some(3.0 + 0.7 * column as f64 - 0.4 * row as f64)
     });
     let files = BTreeMap::from([("plane.txt".to_owned(), text("um", 12.0, &plane).into_bytes())]);
     let request: ScanRequest = "plane.txt".parse().unwrap();
