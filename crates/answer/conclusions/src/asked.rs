@@ -31,6 +31,14 @@ const CORRELATION_WITHIN: f64 = 1.73;
 /// (`docs/develop/trials.md`).
 pub const FLATNESS_WITHIN: f64 = 1.2;
 
+/// Returns the factor, either way, within which both limits of flatness hold: [`FLATNESS_WITHIN`], or the most by which either changes the
+/// value of flat faces, if that is less.
+#[must_use]
+pub fn flatness_within(flat: f64, limits: FlatnessRange) -> f64 {
+    let change = |limit: f64| (limit / flat).ln().abs();
+    FLATNESS_WITHIN.ln().min(change(limits.by_wave).max(change(limits.by_cap))).exp()
+}
+
 /// The state of the peaks under a load.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -172,16 +180,20 @@ impl Questions<'_> {
         });
         let wider = |ratio: f64| ratio.ln().hypot(factor.ln()).exp();
         let (wider_below, wider_above) = (wider(below), wider(above));
-        let with_flatness = |factor: f64| factor.ln().hypot(FLATNESS_WITHIN.ln()).exp();
         let limits = self.states.with_flatness(quantity, self.load, value).ok().flatten();
         Some(match limits {
             None => Ranged { value, low: value / wider_below, high: value * wider_above, flat: None },
-            Some(FlatnessRange { by_wave, by_cap }) => Ranged {
-                value: (by_wave * by_cap).sqrt(),
-                low: by_wave.min(by_cap) / with_flatness(wider_below),
-                high: by_wave.max(by_cap) * with_flatness(wider_above),
-                flat: Some(value),
-            },
+            Some(limits) => {
+                let within = flatness_within(value, limits).ln();
+                let with_flatness = |factor: f64| factor.ln().hypot(within).exp();
+                let FlatnessRange { by_wave, by_cap } = limits;
+                Ranged {
+                    value: (by_wave * by_cap).sqrt(),
+                    low: by_wave.min(by_cap) / with_flatness(wider_below),
+                    high: by_wave.max(by_cap) * with_flatness(wider_above),
+                    flat: Some(value),
+                }
+            }
         })
     }
 

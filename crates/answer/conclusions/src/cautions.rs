@@ -15,7 +15,7 @@ use units::{Remark, RemarkCode};
 use super::area::Source;
 use super::cause::Cause;
 use super::evidence::{Evidence, Trust};
-use super::load_answer::AnswerUnderLoad;
+use super::load_answer::{AnswerUnderLoad, foremost};
 use super::stickiness::stickiness;
 
 /// Returns the trust that a caution leaves.
@@ -103,6 +103,8 @@ pub(crate) fn cautions(
         scene.material.as_ref().and_then(|material| doubts::of_layer(material, &scene.surface.psd));
     let from_curves = loads.is_empty() || loads.iter().any(|load| load.area.source.is_of_models());
     cautions.extend(of_layer.filter(|_| from_curves));
+    cautions.extend(states.and_then(|states| spreads_over_part(loads, states)));
+    cautions.extend(states.and_then(|states| longer_waves(scene, states)));
     cautions.extend(scene.surface.holes.iter().map(|hole| {
         let remark = new(RemarkCode::NotMeasured).with("longest_m", hole.longest_m);
         remark.with("shortest_m", hole.shortest_m)
@@ -145,8 +147,6 @@ pub(crate) fn cautions(
     cautions.extend(few_places(scene).filter(|_| uncertainty.is_none()));
     cautions.extend(states.and_then(|states| elastic_formulas(loads, states)));
     cautions.extend(traces_alone(scene).then(|| new(RemarkCode::LayUnknown)));
-    cautions.extend(states.and_then(|states| longer_waves(scene, states)));
-    cautions.extend(states.and_then(|states| spreads_over_part(loads, states)));
     if !on_roughness && states.is_none_or(|states| !needs_heights(states)) {
         cautions.retain(|caution| !is_about_roughness(caution.code));
     }
@@ -183,20 +183,23 @@ fn longer_waves(scene: &Scene, states: &InterfaceStates<'_>) -> Option<Remark> {
     (is_asked && is_guessed).then(|| Remark::new(RemarkCode::TakenAsFlat))
 }
 
-/// The caution that contact spreads over a part of a nominal contact that is not flat, with the load that spreads least.
+/// The caution that contact spreads over a part of a nominal contact that is not flat, under the load that stands for all.
 fn spreads_over_part(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
     let flatness = states.request.flatness?;
-    // The lightest load spreads least.
-    let load = loads.iter().min_by(|a, b| a.nominal_pressure_pa.total_cmp(&b.nominal_pressure_pa))?;
+    let load = foremost(loads)?;
     let [wave, cap] = states.flatness_limits(load.load)?.map(|limit| limit.share);
-    let (low, high) = (wave.min(cap), wave.max(cap));
-    (low < 0.995).then(|| {
+    // What touches is a part of what contact spreads over, also where it flows.
+    let (low, high) = (wave.min(cap).max(load.area.low), wave.max(cap).max(load.area.high));
+    let remark = || {
         Remark::new(RemarkCode::SpreadsOverPart)
             .with("flatness", flatness.to_string())
             .with("low", low)
             .with("high", high)
             .with("load", load.label.as_str())
-    })
+    };
+    let peak_pa = 1.5 * load.nominal_pressure_pa / cap;
+    let flows = states.inputs.hardness_pa.is_some_and(|hardness_pa| peak_pa > hardness_pa);
+    (low < 0.995).then(|| if flows { remark().with("peak_pa", peak_pa) } else { remark() })
 }
 
 /// Returns true if something is asked that hangs on the heights of the roughness, even where the area does not.

@@ -71,7 +71,7 @@ impl SealClosing {
             nominal_pressure_pa: if least_pa < most_pa { (least_pa * most_pa).sqrt() } else { least_pa },
             low: low * least_pa,
             high: high * most_pa,
-            by_yielding: states.closed_by_yielding_from_pa() == Some(of_flat_pa),
+            by_yielding: most_pa == of_flat_pa && states.closed_by_yielding_from_pa() == Some(of_flat_pa),
         })
     }
 }
@@ -84,6 +84,13 @@ fn flatness_limits_pa(states: &InterfaceStates<'_>, of_flat_pa: f64) -> Option<[
     let modulus_pa = states.inputs.pair.composite_modulus_pa();
     let by_cap_pa = of_flat_pa.max(states.request.flatness?.flattening_pressure_pa(modulus_pa));
     Some([by_wave_pa.min(by_cap_pa), by_wave_pa.max(by_cap_pa)])
+}
+
+/// The most \[m^3/s\] that faces which are not flat let through: through the channels of the roughness with the wave, or around the contact.
+fn around(states: &InterfaceStates<'_>, load: usize) -> Option<f64> {
+    let slot = Slot { quantity: Quantity::LeakRateHigh, load: Some(load), curve: None };
+    let by_wave = states.with_wave()?.value(slot).ok().flatten();
+    by_wave.into_iter().chain(states.leak_around_m3_per_s(load)).reduce(f64::max)
 }
 
 impl SealUnderLoad {
@@ -99,10 +106,7 @@ impl SealUnderLoad {
             let slot = Slot { quantity, load: Some(load), curve: None };
             let value = states.value(slot).ok().flatten()?;
             let interval = uncertainty.and_then(|found| found.quantity(slot));
-            let by_wave = states.with_wave().and_then(|states| states.value(slot).ok().flatten());
-            let [low, high] =
-                interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]);
-            Some([low, by_wave.map_or(high, |by_wave| high * (by_wave / value).max(1.0))])
+            Some(interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]))
         };
         let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
         Some(SealUnderLoad {
@@ -111,7 +115,14 @@ impl SealUnderLoad {
                 false => closing.map_or(SealVerdict::Open, |closing| SealVerdict::new(pressure_pa, &closing)),
             },
             open_share: uncertainty.and_then(|found| found.share_open(load)),
-            leak_rate_m3_per_s: low.zip(high).map(|(low, high)| [low[0], high[1]]),
+            leak_rate_m3_per_s: match (
+                low.zip(high).map(|(low, high)| [low[0], high[1]]),
+                around(states, load),
+            ) {
+                (Some([low, high]), Some(around)) => Some([low, high.max(around)]),
+                (None, Some(around)) => Some([0.0, around]),
+                (of_flat, None) => of_flat,
+            },
         })
     }
 }

@@ -84,15 +84,14 @@ fn asks(raw: &RawScene, has_nominal_area: bool) -> Asks {
 /// Refuses a flatness over less than the waves of the spectrum, which has it already.
 pub(super) fn check_flatness(raw: &RawScene, longest_m: f64) -> Result<(), SceneError> {
     let Some(typed) = raw.interface.as_ref().and_then(|own| own.flatness.as_ref()) else { return Ok(()) };
-    // The wave has a band of its own beyond those of the spectrum.
-    if typed.value.wavelength_m() > 1.01 * longest_m {
+    // Scans show waves up to half of their length, once their trend is removed.
+    if typed.value.span_m() > longest_m {
         return Ok(());
     }
     let message = format!(
-        "key interface.flatness: {} is a wave of {}, and the spectrum has waves up to {}; give the flatness of the nominal contact, over its \
-         length, or leave it out",
+        "key interface.flatness: {} is over less than the longest wave of the spectrum, {}, which shows it already; give the flatness of the \
+         nominal contact, over its length, or leave it out",
         typed.text,
-        length(typed.value.wavelength_m()),
         length(longest_m)
     );
     Err(SceneError::at(typed.span(), message))

@@ -31,6 +31,7 @@ pub(super) fn notes(
     sections.extend(harder.map(|section| (section, None, strengths())));
     sections.extend(["material", "counterface"].map(|section| (section, None, growth_of_nothing(scene))));
     sections.push(("counterface", None, of_nothing_pressed(scene)));
+    sections.push(("surface", None, of_several_scans(scene)));
     sections.push(("loads", None, loads(scene)));
     sections.extend(scene.figures.iter().enumerate().map(|(at, figure)| ("figure", Some(at), shown(figure))));
     sections.push(("figures", None, of_all_figures(document.get("figure"), scene)));
@@ -79,6 +80,15 @@ fn one(key: &str, code: RemarkCode) -> Remark {
 
 fn all(keys: &[&str], code: RemarkCode) -> UnusedKeys {
     keys.iter().map(|key| one(key, code)).collect()
+}
+
+/// The average of spectra, of which a surface has one.
+fn of_several_scans(scene: &Scene) -> UnusedKeys {
+    let own = scene.surface.parts.as_ref().map_or(&scene.surface, |parts| &parts[0]);
+    match &own.made_from {
+        Some(found) if found.spectrum.scans.len() == 1 => all(&["average"], RemarkCode::OneSpectrum),
+        _ => Vec::new(),
+    }
 }
 
 fn loads(scene: &Scene) -> UnusedKeys {

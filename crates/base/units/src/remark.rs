@@ -280,6 +280,7 @@ impl Remark {
             (RemarkValue::Number(value), "%") => percent(*value),
             (RemarkValue::Number(value), "#") => number(*value),
             (RemarkValue::Number(value), _) if name.ends_with("_m") => length(*value),
+            (RemarkValue::Number(value), _) if name.ends_with("_per_pa") => three_digits(*value),
             (RemarkValue::Number(value), _) if name.ends_with("_pa") => pressure(*value),
             (RemarkValue::Number(value), _) => three_digits(*value),
         })

@@ -302,9 +302,9 @@ remark_codes! {
         "the edges are free: stiffness_pa_per_m is that of the map and of the half-space around it, as of a punch as large as the map; \
          {--compliance=punch} takes the punch out, {--compliance=even} the mean displacement under even pressure";
     StiffnessWithoutPunch "pressed" Note
-        "stiffness_pa_per_m is without the specimen's own compliance as a rigid punch, {compliance_m_per_pa#} m/Pa";
+        "stiffness_pa_per_m is without the specimen's own compliance as a rigid punch, {compliance_m_per_pa} m/Pa";
     StiffnessWithoutEven "pressed" Note
-        "stiffness_pa_per_m is without the specimen's own compliance under even pressure, {compliance_m_per_pa#} m/Pa";
+        "stiffness_pa_per_m is without the specimen's own compliance under even pressure, {compliance_m_per_pa} m/Pa";
     NoStiffnessLeft "pressed" Note
         "at {loads} stiffness_pa_per_m is empty: the whole contact is no more compliant than the specimen's own compliance";
     Unloading "pressed" Caution
@@ -376,6 +376,7 @@ remark_codes! {
     NoFreeEdges "scene-note" Note "{option} affects only maps with free edges, and this one repeats itself; leave it out";
     Replaced "scene-note" Note "{option} has no effect beside {--@other}; leave one of them out";
     FigureShowsSomethingElse "scene-note" Note "{option} has no effect on what this figure shows";
+    OneSpectrum "scene-note" Note "{option} has no effect on the spectrum of one scan; leave it out";
     NoCurveUsesIt "scene-note" Note "{option} has no effect: no curve depends on it";
     OtherCommand "scene-note" Note "{option} does not affect `{command}`, which computes no table; leave it out";
     EveryFileHasItsOwn "scene-note" Note "{option} has no effect: every file has its own; leave one of them out";
@@ -442,8 +443,8 @@ remark_codes! {
         short "parts taken as flat";
     SpreadsOverPart "spreads-over-part" Caution
         "With {flatness}, contact spreads over {low%} to {high%} of the nominal contact at {load}, under as much more pressure: the share \
-         that touches stays that of flat faces."
-        short "contact spreads over {low%} to {high%} of the faces";
+         that touches stays that of flat faces.[ The pressure in its middle, {peak_pa}, is above the hardness: the faces themselves would flow.]"
+        short "contact spreads over {low%} to {high%} of the faces at {load}";
     TooSteep "too-steep" Caution
         "Below {from_m} slopes are too steep for every method used here, boundary elements included."
         short "slopes too steep below {from_m}";

@@ -227,6 +227,9 @@ impl FromStr for Flatness {
         let length =
             |part: &str| part.trim().parse::<Length>().map_err(|error| refused(Some(error.to_string())));
         let (height, span) = (length(height)?, length(span)?);
+        if height.m > span.m {
+            return Err(refused(Some("the height comes first, and the length behind it".to_owned())));
+        }
         Flatness::new(height.m, span.m).map_err(|error| refused(Some(error.to_string())))
     }
 }

@@ -81,6 +81,13 @@ impl SealedJoint {
         let (_, [low, high]) = SHARES[SHARES.partition_point(|(up_to, _)| *up_to < area_fraction)];
         Ok(LeakRate { low_m3_per_s: low * of_formula, high_m3_per_s: high * of_formula })
     }
+
+    /// Computes the volume per time \[m^3/s\] through an open gap, Q = (L_y/L_x) <g^3> dp/(12 eta), with the mean cube of the gap \[m^3\]
+    /// over the joint: all of it open along the flow, which is the most that passes.
+    #[must_use]
+    pub fn open_rate_m3_per_s(&self, mean_cube_m3: f64) -> f64 {
+        self.breadth_over_length * mean_cube_m3 / 12.0 * self.pressure_drop_pa / self.viscosity_pa_s
+    }
 }
 
 #[cfg(test)]

@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 use std::io;
 use std::sync::Mutex;
 
-use conclusions::FLATNESS_WITHIN;
+use conclusions::flatness_within;
 use elements::{Boundary, ContactField, ElementsError, ImposedLoad, Pressing, Relief, Surfaces, press};
 use measurements::Files;
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, Synthesis};
-use study::interface::{Quantity, Slot};
+use study::interface::{FlatnessRange, Quantity, Slot};
 use tables::markdown::{table, with_section};
 use units::display::three_digits;
 
@@ -104,10 +104,9 @@ impl AskedOf {
         }
     }
 
-    /// The factor, either way, within which the program takes both limits to hold: that of the theory for flat faces, and their own.
+    /// The factor, either way, within which the program takes its theory to hold for flat faces.
     fn within(self) -> f64 {
-        let of_theory: f64 = if self == AskedOf::Gap { 1.15 } else { 1.25 };
-        of_theory.ln().hypot(FLATNESS_WITHIN.ln()).exp()
+        if self == AskedOf::Gap { 1.15 } else { 1.25 }
     }
 
     fn words(self) -> &'static str {
@@ -144,7 +143,8 @@ impl FlatnessRow {
 
     /// Both limits in rising order, each with the error of the theory.
     fn range(&self) -> [f64; 2] {
-        let within = self.quantity.within();
+        let limits = FlatnessRange { by_wave: self.by_wave, by_cap: self.by_cap };
+        let within = self.quantity.within().ln().hypot(flatness_within(self.flat, limits).ln()).exp();
         [self.by_wave.min(self.by_cap) / within, self.by_wave.max(self.by_cap) * within]
     }
 

@@ -24,7 +24,7 @@ impl PartialMap {
     /// row by row. The sum covers the middle that both maps cover, with the finer spacing of the two along each axis; heights of the
     /// coarser map are interpolated linearly between its points. A point is missing where either map has no height.
     ///
-    /// Exchanged maps have the mirror image of the sum. With equal spacings and an odd difference of their numbers of points the
+    /// Exchanged maps have the mirror image of the sum. Only with equal spacings and an odd difference of their numbers of points the
     /// middles are half a point apart.
     ///
     /// # Errors
@@ -145,7 +145,11 @@ impl Shared {
             let steps = (points - 1) as f64 * of_axis_m / spacing_m;
             if are_same(of_axis_m, spacing_m) { points - 1 } else { steps as usize }
         };
-        Self { points: steps(own).min(steps(other)) + 1, spacing_m }
+        let points = steps(own).min(steps(other)) + 1;
+        // The middle of the coarser axis is met by interpolation: that of the finer one lies between two of its points, or on one.
+        let finer = if own.1 <= other.1 { own.0 } else { other.0 };
+        let is_between = !are_same(own.1, other.1) && (finer - points) % 2 == 1;
+        Self { points: if is_between { points - 1 } else { points }, spacing_m }
     }
 
     /// Places of the shared points on an axis, around its middle.

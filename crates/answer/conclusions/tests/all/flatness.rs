@@ -1,6 +1,6 @@
 //! Parts that are not flat: values with the range of both limits, the part of the nominal contact that contact spreads over, and seals.
 
-use conclusions::{AskedValue, Conclusions, FLATNESS_WITHIN, NextStep};
+use conclusions::{AskedValue, Conclusions, NextStep, flatness_within};
 use study::interface::Quantity;
 use units::RemarkCode;
 
@@ -31,7 +31,7 @@ fn the_range_spans_both_limits_and_names_flat_faces() {
         [("", ""), ("", "gas = \"air\"\n"), ("indentation_hardness = \"100 MPa\",", "gas = \"air\"\n")]
     {
         let flat = scene(hardness, "1 MPa", &format!("[interface]\n{gas}")).conclusions();
-        let bowed = scene(hardness, "1 MPa", &interface("200 nm over 2 mm", gas));
+        let bowed = scene(hardness, "1 MPa", &interface("4 um over 2 mm", gas));
         let states = bowed.scene.interface_states(&bowed.results).unwrap();
         let bowed = bowed.conclusions();
         assert!(!asked(&bowed).is_empty());
@@ -43,7 +43,7 @@ fn the_range_spans_both_limits_and_names_flat_faces() {
             let value = found.value.unwrap();
             assert!((value / (low * high).sqrt() - 1.0).abs() < 1e-12);
             let of_theory: f64 = of_flat.high / of_flat.value.unwrap();
-            let wider = of_theory.ln().hypot(FLATNESS_WITHIN.ln()).exp();
+            let wider = of_theory.ln().hypot(flatness_within(of_flat.value.unwrap(), limits).ln()).exp();
             assert!((found.high / (wider * high) - 1.0).abs() < 1e-9, "{found:?}");
             // A deviation adds to the gap, and takes from all that passes.
             let is_gap = matches!(found.quantity, Quantity::MeanGap | Quantity::FlowedGap);
@@ -114,4 +114,23 @@ fn a_few_numbers_say_nothing_of_longer_waves() {
     let known = conclusions("[interface]\nflatness = \"1 um over 40 mm\"\n");
     assert!(caution(&known, RemarkCode::TakenAsFlat).is_none());
     assert!(!known.next.iter().any(|step| matches!(step, NextStep::Flatness { .. })));
+}
+
+#[test]
+fn around_a_cap_more_leaks_than_through_the_channels_and_a_deviation_that_is_pressed_flat_adds_nothing() {
+    let seal =
+        "[seal]\npressure_drop = \"1 bar\"\nviscosity = \"1 mPa s\"\nbreadth = \"1 m\"\nlength = \"5 mm\"\n";
+    let with = |pressure: &str, flatness: &str| {
+        let answered = scene("", pressure, &format!("{seal}{}", interface(flatness, "")));
+        let states = answered.scene.interface_states(&answered.results).unwrap();
+        let around = states.leak_around_m3_per_s(0);
+        (answered.conclusions().loads[0].seal.unwrap().leak_rate_m3_per_s.unwrap()[1], around)
+    };
+    let (high, around) = with("10 MPa", "100 um over 5 mm");
+    assert!(around.is_some_and(|around| high >= around), "{high} {around:?}");
+    // A slit of the mean cube of an open cap, 100^3/4 um^3, is the most.
+    assert!(around.unwrap() < 1.0 / 5e-3 * 1e-12 * 1e5 / 12.0 / 1e-3);
+    let flat = scene("", "10 MPa", seal).conclusions().loads[0].seal.unwrap().leak_rate_m3_per_s.unwrap();
+    let (high, around) = with("10 MPa", "1 nm over 5 mm");
+    assert!((high / flat[1] - 1.0).abs() < 1e-6 && around.is_none(), "{high} {around:?}");
 }

@@ -314,8 +314,9 @@ fn asked_words(asked: &AskedValue, at: &str) -> String {
         Some(PeakState::Flowed) => "; the peaks have flowed",
         Some(PeakState::Elastic) | None => "",
     };
-    let flat = asked.flat.map(|flat| format!("; {} if flat", interface_words::value(asked.quantity, flat)));
     let value = asked.value.map(|value| interface_words::value(asked.quantity, value));
+    let flat = asked.flat.map(|flat| interface_words::value(asked.quantity, flat));
+    let flat = flat.filter(|flat| Some(flat) != value.as_ref()).map(|flat| format!("; {flat} if flat"));
     let words: Vec<String> = value.map(|value| format!("{value}{at}")).into_iter().chain(range).collect();
     format!("{}{state}{}", words.join(", "), flat.unwrap_or_default())
 }

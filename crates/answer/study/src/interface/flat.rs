@@ -1,6 +1,6 @@
 //! Gap and compliance that parts which are not flat add to those of their roughness.
 //!
-//! As a wave, the deviation is one of the roughness in Persson's theory; as a cap, it is a smooth body on which the roughness has the local
+//! As a wave, the deviation is one of the roughness in Persson's theory, or a smooth ridge; as a cap, it is a smooth body on which the roughness has the local
 //! pressure. Peaks that flow get the same additions, since the deviation stays elastic.
 
 use ::interface::conductance::RelativeStiffness;
@@ -35,14 +35,22 @@ impl FlatnessAdds {
         }
     }
 
-    /// Compares a wave, by the law of the roughness with it, with flat faces. A smooth ridge has its share.
+    /// Compares a wave with flat faces. It is one of the roughness, by the law with it, or a smooth ridge; what the two add is nearest to
+    /// elements by the one that adds less (`docs/develop/trials.md`): a smooth ridge spreads too little contact, and the theory too much gap.
     pub(super) fn of_wave(
         with_wave: &SeparationLaw,
+        law: &SeparationLaw,
         flat: Separation,
         ridge: &Ridge,
         pressure_pa: f64,
     ) -> Self {
-        Self::new(with_wave.whole(pressure_pa), flat, ridge.share())
+        let (in_theory, smooth) =
+            (Self::new(with_wave.whole(pressure_pa), flat, ridge.share()), Self::of(ridge, law, flat));
+        FlatnessAdds {
+            gap_m: in_theory.gap_m.min(smooth.gap_m),
+            compliance_m_per_pa: in_theory.compliance_m_per_pa.min(smooth.compliance_m_per_pa),
+            share: smooth.share,
+        }
     }
 
     /// Compares a smooth deviation under the roughness with flat faces. Around the contact the roughness keeps the gap of the nominal

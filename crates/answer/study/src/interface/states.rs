@@ -109,7 +109,13 @@ impl<'a> InterfaceStates<'a> {
             let ridge = flatness.ridge(pressure_pa, modulus_pa);
             let cap = flatness.cap(pressure_pa, modulus_pa);
             [
-                FlatnessAdds::of_wave(&with_wave.separation, flat, &ridge, pressure_pa),
+                FlatnessAdds::of_wave(
+                    &with_wave.separation,
+                    &self.elastic.separation,
+                    flat,
+                    &ridge,
+                    pressure_pa,
+                ),
                 FlatnessAdds::of(&cap, &self.elastic.separation, flat),
             ]
         };

@@ -57,7 +57,7 @@ impl InterfaceStates<'_> {
             added.zip(resistivities).map(|(added, of)| added.electrical_conductance_s_per_m2(of))
         };
         let with_gas = |gap: Quantity| -> Result<Option<f64>, InterfaceError> {
-            let gap_m = self.value(Slot { quantity: gap, load: Some(load), curve: None })?;
+            let gap_m = self.gap_under(gap, self.pressure_pa(load));
             let flat_gas = gap_m.and_then(|gap_m| self.gas_over(gap_m)).unwrap_or(0.0);
             let over = |gap_m: Option<f64>| gap_m.and_then(|gap_m| self.gas_over(gap_m)).unwrap_or(0.0);
             let gas = deviation.mean_inside(|local_pa| over(self.gap_under(gap, local_pa)))
@@ -73,9 +73,40 @@ impl InterfaceStates<'_> {
             Quantity::ElectricalConductance | Quantity::FlowedElectricalConductance => {
                 Some(in_series(flat, current()))
             }
+            Quantity::ThermalResistance => {
+                self.resistance(Quantity::ThermalConductance, load, flat, heat())?
+            }
+            Quantity::ElectricalResistance => {
+                self.resistance(Quantity::ElectricalConductance, load, flat, current())?
+            }
             Quantity::GasConductance | Quantity::ThermalConductanceWithGas => with_gas(Quantity::MeanGap)?,
             Quantity::FlowedConductanceWithGas => with_gas(Quantity::FlowedGap)?,
             _ => None,
         })
+    }
+
+    /// A resistance of the nominal area, in proportion to the inverse of a conductance, with an addition in series.
+    fn resistance(
+        &self,
+        conductance: Quantity,
+        load: usize,
+        flat: f64,
+        added: Option<f64>,
+    ) -> Result<Option<f64>, InterfaceError> {
+        let of_flat = self.value(Slot { quantity: conductance, load: Some(load), curve: None })?;
+        Ok(of_flat.map(|of_flat| flat * (1.0 + added.map_or(0.0, |added| of_flat / added))))
+    }
+
+    /// Returns the volume per time \[m^3/s\] that at most passes a seal around the contact of faces that are not flat, by either limit, where
+    /// both gaps add; `None` without a flatness or without a joint, and where contact spreads over all of it.
+    #[must_use]
+    pub fn leak_around_m3_per_s(&self, load: usize) -> Option<f64> {
+        let (flatness, joint) = self.request.flatness.zip(self.request.seal?.joint)?;
+        let (pressure_pa, modulus_pa) = (self.pressure_pa(load), self.modulus_pa());
+        let gap_m = self.gap_under(Quantity::MeanGap, pressure_pa)?;
+        let cube = |beyond_m: f64| (beyond_m + gap_m).powi(3);
+        let by_ridge = flatness.ridge(pressure_pa, modulus_pa).mean_outside(cube);
+        let mean_cube_m3 = by_ridge.max(flatness.cap(pressure_pa, modulus_pa).mean_outside(cube));
+        (mean_cube_m3 > 0.0).then(|| joint.open_rate_m3_per_s(mean_cube_m3))
     }
 }

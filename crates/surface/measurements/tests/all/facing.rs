@@ -214,3 +214,17 @@ fn a_trend_is_fitted_through_the_points_that_are_left() {
     );
     assert_eq!(mean.heights.missing.count(), 144 - 54);
 }
+
+#[test]
+fn maps_of_other_spacings_meet_in_their_middle() {
+    // A face against its counterpart on other grids, each over the same side.
+    let height = |x: f64, y: f64| (3.0 * x).sin() + (2.0 * y).cos();
+    let own = map([64, 64], 1.0 / 64.0, height, &[]);
+    for points in [63, 65, 96, 100, 128] {
+        let other = map([points, points], 1.0 / points as f64, |x, y| -height(-x, y), &[]);
+        let sum = own.facing(&other).unwrap();
+        let largest_m = sum.map.heights_m().iter().fold(0.0, |most: f64, sum_m| most.max(sum_m.abs()));
+        // The error of a straight line between points; half a point would be 0.02.
+        assert!(largest_m < 1e-3, "{points}: {largest_m}");
+    }
+}
