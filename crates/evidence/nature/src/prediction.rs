@@ -17,7 +17,7 @@
 //!   u_0 = 0.39 sigma, between 0.3 sigma of Mikic's elastic correlation and 0.5 sigma of Persson's theory without roll-off (2007,
 //!   Phys. Rev. Lett. 99:125502);
 //! * gas: k_g <1/(g + M)> over Gaussian gaps ([`interface::gas`]);
-//! * flatness: two limits of [`interface::flatness`], a long wave that adds to sigma, and a cap that loads a part of the faces, with a
+//! * flatness: two limits of [`interface::flatness`], a long wave as a smooth ridge, and a cap; each loads a part of the faces, with a
 //!   constriction in series and gas around it.
 
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
@@ -248,29 +248,21 @@ impl Joint {
         self.gas.conductance_w_per_m2_k(separation_m, sigma_m)
     }
 
-    /// Conductance of faces with a long wave; without the gas as well.
-    fn with_long_wave(&self) -> Result<[f64; 2], OutOfBounds> {
-        let sigma_m = self.sigma_m.hypot(self.flatness.mean_square_height_m2().sqrt());
-        let spots = self.spots(self.pressure_pa, sigma_m)?;
-        Ok([spots + self.gas(self.separation_m(self.pressure_pa, sigma_m)?, sigma_m), spots])
-    }
-
-    /// Conductance of a cap on a flat; without the gas as well. The constriction towards the loaded part is in series with what
+    /// Conductance of a ridge or a cap on a flat; without the gas as well. The constriction towards the loaded part is in series with what
     /// it conducts, and the gas around it is beside both.
-    fn as_cap(&self) -> Result<[f64; 2], OutOfBounds> {
-        let cap = self.flatness.cap(self.pressure_pa, self.modulus_pa);
+    fn on(&self, deviation: &impl Deviation) -> Result<[f64; 2], OutOfBounds> {
         let macroscopic = self.conductivities.harmonic_mean_w_per_m_k()
-            / (self.modulus_pa * cap.compliance_m_per_pa()).max(f64::MIN_POSITIVE);
+            / (self.modulus_pa * deviation.compliance_m_per_pa()).max(f64::MIN_POSITIVE);
         let in_series = |inside: f64| 1.0 / (1.0 / macroscopic + 1.0 / inside);
         // At the rim of the contact the pressure falls to 0, where nothing conducts.
         let inside = |of: &dyn Fn(f64) -> Result<f64, OutOfBounds>| {
-            cap.mean_inside(|pressure_pa| of(pressure_pa).unwrap_or(0.0))
+            deviation.mean_inside(|pressure_pa| of(pressure_pa).unwrap_or(0.0))
         };
         let spots = inside(&|pressure_pa| self.spots(pressure_pa, self.sigma_m));
         let gas_inside =
             inside(&|pressure_pa| Ok(self.gas(self.separation_m(pressure_pa, self.sigma_m)?, self.sigma_m)));
         let apart_m = self.separation_m(self.pressure_pa, self.sigma_m)?;
-        let gas_outside = cap.mean_outside(|gap_m| self.gas(apart_m + gap_m, self.sigma_m));
+        let gas_outside = deviation.mean_outside(|gap_m| self.gas(apart_m + gap_m, self.sigma_m));
         Ok([in_series(spots + gas_inside) + gas_outside, in_series(spots)])
     }
 }
@@ -303,7 +295,8 @@ pub fn conductances(
     at: &Positions,
 ) -> Result<[f64; 2], NatureError> {
     let joint = Joint::new(row, gas_pressure_pa, at)?;
-    let (wave, cap) = (joint.with_long_wave()?, joint.as_cap()?);
+    let wave = joint.on(&joint.flatness.ridge(joint.pressure_pa, joint.modulus_pa))?;
+    let cap = joint.on(&joint.flatness.cap(joint.pressure_pa, joint.modulus_pa))?;
     let between = |with: usize| {
         let position = at.0[Unknown::FlatnessLimit as usize];
         at.factor(Unknown::Repeatability, 1.4)

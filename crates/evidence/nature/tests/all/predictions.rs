@@ -26,17 +26,18 @@ fn a_prediction_knows_nothing_of_the_measurement() {
 
 #[test]
 fn flat_faces_in_vacuum_follow_yovanovich() {
-    // A long wave of 1 um on each face adds 2^2/8 um^2 to the mean square height.
+    // 100 MPa press waves of 1 um on each face flat.
+    let row = MeasuredResistance { pressure_pa: 1e8, ..row() };
     let mut at = Positions::only(Unknown::FlatnessLimit, -1.0);
     at = at.and(Unknown::FirstFlatness, -1.0).and(Unknown::SecondFlatness, -1.0);
-    let [_, spots] = conductances(&row(), 1.0, &at).unwrap();
+    let [_, spots] = conductances(&row, 1.0, &at).unwrap();
     let faces_um = [1.0f64, 2.0].map(|ra_um| (std::f64::consts::FRAC_PI_2).sqrt() * ra_um);
-    let sigma_um = (faces_um[0].powi(2) + faces_um[1].powi(2) + 0.5).sqrt();
+    let sigma_um = faces_um[0].hypot(faces_um[1]);
     let slopes = faces_um.map(|sigma_um| (0.076 * sigma_um.sqrt() * 0.152 * sigma_um.powf(0.4)).sqrt());
     let slope = slopes[0].hypot(slopes[1]);
     // Three times 276 MPa, and the square root of twice that.
     let hardness_pa = 3.0 * 276e6 * 2f64.sqrt();
-    let expected = 1.25 * 167.0 * (slope / (1e-6 * sigma_um)) * (1e6f64 / hardness_pa).powf(0.95);
+    let expected = 1.25 * 167.0 * (slope / (1e-6 * sigma_um)) * (1e8f64 / hardness_pa).powf(0.95);
     assert!((spots / expected - 1.0).abs() < 1e-9, "{spots} {expected}");
 }
 
@@ -104,6 +105,8 @@ fn polished_hard_faces_stay_elastic() {
         solids: [solid("al2o3").unwrap(); 2],
         ra_m: [0.1e-6; 2],
         gas_pressure: GasPressure::Known(1e-3),
+        // Their waves are pressed flat.
+        pressure_pa: 1e8,
         ..row()
     };
     let doubled = MeasuredResistance { pressure_pa: 2.0 * hard.pressure_pa, ..hard.clone() };
