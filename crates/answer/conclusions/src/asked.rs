@@ -2,6 +2,7 @@
 //! the peaks of the roughness are in.
 
 use interface::conductance::MOST_PLASTIC_SHARE;
+use interface::flatness::LIMITS_WITHIN;
 use interface::friction::SlidingContact;
 use judge::Reference;
 use persson::separation::STIFFNESS_WITHIN;
@@ -27,16 +28,12 @@ const MAP_WITHIN: f64 = 1.05;
 /// scatter by as much about it where the hardness is that of a large indentation.
 const CORRELATION_WITHIN: f64 = 1.73;
 
-/// The factor, either way, by which both limits of flatness together miss elements on surfaces with a real long wave
-/// (`docs/develop/trials.md`).
-pub const FLATNESS_WITHIN: f64 = 1.2;
-
-/// Returns the factor, either way, within which both limits of flatness hold: [`FLATNESS_WITHIN`], or the most by which either changes the
+/// Returns the factor, either way, within which both limits of flatness hold: [`LIMITS_WITHIN`], or the most by which either changes the
 /// value of flat faces, if that is less.
 #[must_use]
 pub fn flatness_within(flat: f64, limits: FlatnessRange) -> f64 {
     let change = |limit: f64| (limit / flat).ln().abs();
-    FLATNESS_WITHIN.ln().min(change(limits.by_wave).max(change(limits.by_cap))).exp()
+    LIMITS_WITHIN.ln().min(change(limits.by_wave).max(change(limits.by_cap))).exp()
 }
 
 /// The state of the peaks under a load.

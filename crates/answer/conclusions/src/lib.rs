@@ -19,7 +19,7 @@ mod shear;
 mod stickiness;
 
 pub use area::{AreaEstimate, OfInputs, Source};
-pub use asked::{AskedValue, FLATNESS_WITHIN, PeakState, flatness_within};
+pub use asked::{AskedValue, PeakState, flatness_within};
 pub use cause::Cause;
 pub use cautions::trust_left;
 pub use compared_models::{ModelCell, ReferenceGroup, Tally};

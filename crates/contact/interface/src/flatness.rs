@@ -68,6 +68,10 @@ pub struct FlatnessError {
     problem: Option<String>,
 }
 
+/// Factor, either way, by which both limits together miss gap, stiffness and heat of elements on surfaces with a real long wave
+/// (`docs/develop/trials.md`).
+pub const LIMITS_WITHIN: f64 = 1.2;
+
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(24));
 
 impl Flatness {

@@ -26,7 +26,7 @@ use asperity::{ElasticBody, MaterialPair};
 use interface::conductance::{
     Conductivities, CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness,
 };
-use interface::flatness::{Deviation, Flatness};
+use interface::flatness::{Deviation, Flatness, LIMITS_WITHIN};
 use interface::gas::{GapGas, plastic_separation_m};
 use study::body_properties::BodyProperty;
 use study::materials;
@@ -58,6 +58,8 @@ pub enum Unknown {
     FirstFlatness,
     /// Height of the flatness of the second face.
     SecondFlatness,
+    /// Error of both limits of flatness against elements: a factor of [`LIMITS_WITHIN`].
+    FlatnessTheory,
     /// Length of the flatness, and diameter of the specimen: 20 to 40 mm.
     FlatnessLength,
     /// Repeatability of the measurement: a factor of 1.4. Four pairs of rows differ in nothing but the name of a gas at 8 Pa, which carries
@@ -86,7 +88,7 @@ pub struct Prediction {
 
 impl Unknown {
     /// Every unknown.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Ra,
         Self::Conductivity,
         Self::Hardness,
@@ -96,6 +98,7 @@ impl Unknown {
         Self::FlatnessLimit,
         Self::FirstFlatness,
         Self::SecondFlatness,
+        Self::FlatnessTheory,
         Self::FlatnessLength,
         Self::Repeatability,
     ];
@@ -300,6 +303,7 @@ pub fn conductances(
     let between = |with: usize| {
         let position = at.0[Unknown::FlatnessLimit as usize];
         at.factor(Unknown::Repeatability, 1.4)
+            * at.factor(Unknown::FlatnessTheory, LIMITS_WITHIN)
             * wave[with]
             * (cap[with] / wave[with]).powf(0.5 * (1.0 + position))
     };
