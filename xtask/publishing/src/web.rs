@@ -12,9 +12,9 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use xtask::checkout;
 
-/// The largest size of everything that a first visit needs, with brotli: 1.19 MB since tables of every kind and four formats more
-/// are read, and some room. The goal was 1.5 MB.
-const MOST_BYTES: usize = 1_210_000;
+/// The largest size of everything that a first visit needs, with brotli: 1.21 MB since parts need not be flat, and
+/// some room. The goal was 1.5 MB.
+const MOST_BYTES: usize = 1_225_000;
 
 /// The two cores: the page begins with the first, which reads the common formats, and loads the second when a file needs it.
 const CORES: [Core; 2] = [
