@@ -296,8 +296,8 @@ remark_codes! {
         "the faces fit into each other: the sum of their heights is {share} times as steep as if they did not, and spectra add as if they \
          did not; trust the pressed map";
     MissingPointsOpen "pressed" Note
-        "missing points never touch: {outside} lie outside the specimen, {holes} in holes of it; nominal pressure and area fractions are over \
-         the {share%} of {length_x_m} x {length_y_m} that it fills";
+        "missing points never touch: {outside} lie outside the specimen, {holes} in holes of it, which count as its area; nominal pressure and \
+         area fractions are over the specimen, {share%} of {length_x_m} x {length_y_m}";
     StiffnessOfPunch "pressed" Note
         "the edges are free: stiffness_pa_per_m is that of the map and of the half-space around it, as of a punch as large as the map; \
          {--compliance=punch} takes the punch out, {--compliance=even} the mean displacement under even pressure";

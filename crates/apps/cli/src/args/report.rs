@@ -25,7 +25,7 @@ pub(crate) struct ReportArgs {
     #[arg(long, value_name = "P", allow_hyphen_values = true)]
     pub pressure: Vec<String>,
     /// Flatness of the nominal contact, as "5 um over 40 mm": height from valley to peak over its length; flat where not given
-    #[arg(long, value_name = "H over L")]
+    #[arg(long, value_name = "H over L", allow_hyphen_values = true)]
     pub flatness: Option<Flatness>,
     /// Ask from which pressure on the contact seals
     #[arg(long)]

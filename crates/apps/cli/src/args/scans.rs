@@ -122,7 +122,8 @@ impl FileDefaults {
 #[derive(Debug, ClapArgs)]
 pub(crate) struct MapTreatmentArgs {
     /// Treatment of points without a height: harmonic, filled by the smoothest surface through the edges of each gap,
-    /// up to 20 % of a scan; lines, left out with their lines or the stretches of them that they interrupt; or refuse
+    /// up to 20 % of a scan; lines, left out with their lines or the stretches of them that they interrupt; refuse; or
+    /// keep, of maps that are pressed on a flat without them, as two maps are by default
     #[arg(long, value_parser = one_of::<GapTreatment, _>(GapTreatment::ALL))]
     pub gaps: Option<GapTreatment>,
     /// The lines of a map: x, its rows; y, its columns; or both
