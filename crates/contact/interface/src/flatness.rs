@@ -289,6 +289,9 @@ mod tests {
             cap.mean_outside(|gap_m| gap_m)
         );
         assert!(cap.gap_m(cap.share().sqrt()).abs() < 1e-20);
+        // At twice the radius of the contact, 3.8264 a^2/(pi R).
+        let at_two = cap.gap_m(2.0 * cap.share().sqrt()) * PI * 15.625 / (contact_m * contact_m);
+        assert!(off(at_two, 3f64.sqrt() + 2.0 * PI / 3.0) < 1e-12, "{at_two}");
     }
 
     #[test]
