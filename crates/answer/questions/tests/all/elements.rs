@@ -1,25 +1,19 @@
-//! Maps and random surfaces under boundary elements: flats, balls, cylinders and adhesion.
+//! Maps and random surfaces that a flat is pressed onto.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-use elements::{
-    Boundary, ElementsError, Indenter, IndenterPressing, IndenterShape, IndenterState, PressedLoad, Pressing,
-    Relief, SpecimenCompliance,
-};
+use elements::{Boundary, ElementsError, PressedLoad, Relief, SpecimenCompliance};
 use numerics::parallel::Unobserved;
 use questions::{
-    AdhesionQuestion, Answer, BranchChoice, ElementsLoad, ElementsQuestion, GapQuestion, IndenterQuestion,
-    MapQuestion, MaterialInput, QuestionError, RandomInput, relief,
+    ElementsLoad, ElementsQuestion, GapQuestion, MapQuestion, QuestionError, RandomInput, relief,
 };
 use scene::{Overrides, Scene};
-use study::figure::{AxisScale, FigureData};
-use tables::Cells;
 use units::{Pressure, PressureRange, Remark, RemarkCode, display};
 
 use crate::common::{
-    Counted, STEEL_MODULUS_PA, assert_all_near, assert_near, by, column, filled, hard, has, load, loads,
-    numbers_of, small, spectrum_of, steel, surface, text_of,
+    Counted, STEEL_MODULUS_PA, assert_all_near, assert_near, by, column, hard, has, load, loads, numbers_of,
+    small, spectrum_of, steel, surface, text_of,
 };
 
 const POINTS: usize = 32;
@@ -29,7 +23,7 @@ const AMPLITUDE_M: f64 = 1e-8;
 const FLATTENS_PA: f64 = PI * STEEL_MODULUS_PA * AMPLITUDE_M / SIDE_M;
 
 /// A map of heights over x and y in sides of the map.
-fn map(boundary: Boundary, height_m: impl Fn(f64, f64) -> f64) -> Relief {
+pub fn map(boundary: Boundary, height_m: impl Fn(f64, f64) -> f64) -> Relief {
     let at =
         |point: usize| ((point % POINTS) as f64 / POINTS as f64, (point / POINTS) as f64 / POINTS as f64);
     Relief {
@@ -44,12 +38,12 @@ fn map(boundary: Boundary, height_m: impl Fn(f64, f64) -> f64) -> Relief {
 }
 
 /// One ridge along y.
-fn ridge() -> Relief {
+pub fn ridge() -> Relief {
     map(Boundary::Periodic, |x, _| AMPLITUDE_M * (TAU * x).cos())
 }
 
 /// One ridge along x.
-fn ridge_along_x() -> Relief {
+pub fn ridge_along_x() -> Relief {
     map(Boundary::Periodic, |_, y| AMPLITUDE_M * (TAU * y).cos())
 }
 
@@ -328,290 +322,6 @@ fn gaps_of_elements_yield_at_the_hardness_and_are_those_of_pressed_surfaces() {
     assert_all_near(&gaps(1e12), &pressed(None), 1e-9);
     assert_all_near(&gaps(1e9), &pressed(Some(Pressure::Pascals(1e9))), 1e-9);
     assert!(gaps(1e9)[0] > 1.05 * gaps(1e12)[0]);
-}
-
-const BALL_RADIUS_M: f64 = 1e-3;
-const FORCE_N: f64 = 1e-3;
-
-fn ball(material: MaterialInput) -> IndenterQuestion {
-    IndenterQuestion {
-        material,
-        radius_m: BALL_RADIUS_M,
-        force: FORCE_N,
-        random: RandomInput {
-            grid: Some(32),
-            realisations: Some(3),
-            shortest_m: Some(4e-6),
-            ..RandomInput::default()
-        },
-        ..IndenterQuestion::default()
-    }
-}
-
-/// A spectrum of waves from 16 to 4 um, low enough for a ball.
-fn fine() -> study::surface::Surface {
-    let row = |i: i32| {
-        let wavelength_m = 1.6e-5 * 0.25f64.powf(f64::from(i) / 10.0);
-        format!("{wavelength_m:e},{:e}\n", 1e-23 * (wavelength_m / 1e-6).powf(2.6))
-    };
-    spectrum_of(&(0..=10).map(row).collect::<String>())
-}
-
-#[test]
-fn the_pressure_under_a_ball_is_averaged_over_places_beside_that_of_hertz() {
-    let question = ball(steel());
-    let prepared = question.on(&fine()).unwrap();
-    let found = prepared.answer(&Unobserved).unwrap();
-    let a_m = (0.75 * FORCE_N * BALL_RADIUS_M / STEEL_MODULUS_PA).cbrt();
-    let p0_pa = 1.5 * FORCE_N / (PI * a_m * a_m);
-    let figure = found.figure.unwrap();
-    assert_eq!((figure.x_scale, figure.y_scale), (AxisScale::Linear, AxisScale::Linear));
-    assert_ne!(figure.title, figure.y_label);
-    let [hertz, rough] = &figure.series[..] else { panic!("{} lines", figure.series.len()) };
-    assert_eq!(hertz.points.len(), 101);
-    assert_eq!(hertz.points[0], (0.0, hertz.points[0].1));
-    assert_near(hertz.points[0].1, p0_pa, 1e-9);
-    assert_near(hertz.points[100].0, a_m, 1e-9);
-    for (r_m, pressure_pa) in &hertz.points {
-        assert!((pressure_pa - p0_pa * (1.0 - (r_m / a_m).powi(2)).max(0.0).sqrt()).abs() < 1e-6 * p0_pa);
-    }
-    let indenter = Indenter { shape: IndenterShape::Ball, radius_m: BALL_RADIUS_M, force: FORCE_N };
-    let pressing = IndenterPressing { contact_modulus_pa: STEEL_MODULUS_PA, tolerance: Pressing::TOLERANCE };
-    let states = indenter.press_all(&prepared.surfaces, &pressing, &Unobserved).unwrap();
-    let reach_m = states.iter().fold(a_m, |reach_m, state| reach_m.max(state.outermost_contact_m));
-    // Rings of an eighth of the radius, up to a fifth beyond the outermost contact.
-    let mut expected = Vec::new();
-    for ring in 0..states[0].ring_pressures_pa.len() {
-        let radius_m = a_m * (ring as f64 + 0.5) / 8.0;
-        let pressures: Vec<f64> = states.iter().filter_map(|state| state.ring_pressures_pa[ring]).collect();
-        if radius_m < 1.2 * reach_m && !pressures.is_empty() {
-            let n = pressures.len() as f64;
-            let mean = pressures.iter().sum::<f64>() / n;
-            let squares = pressures.iter().map(|pressure| (pressure - mean).powi(2)).sum::<f64>();
-            expected.push((radius_m, mean, (squares / (n - 1.0).max(1.0)).sqrt()));
-        }
-    }
-    assert_eq!(rough.points.len(), expected.len());
-    let [band] = &figure.bands[..] else { panic!("{} bands", figure.bands.len()) };
-    for ((point, (band_m, [low, high])), (radius_m, mean, deviation)) in
-        rough.points.iter().zip(&band.points).zip(&expected)
-    {
-        assert_all_near(&[point.0, *band_m], &[*radius_m; 2], 1e-9);
-        let near = |found: f64, expected: f64| {
-            assert!((found - expected).abs() < 1e-6 * p0_pa, "{found} {expected}")
-        };
-        near(point.1, *mean);
-        near(*low, (mean - deviation).max(0.0));
-        near(*high, mean + deviation);
-    }
-    assert!(expected.iter().any(|(_, mean, deviation)| deviation > mean));
-    // Places differ by the standard deviation of their areas over the mean.
-    let areas: Vec<f64> = states.iter().map(|state: &IndenterState| state.real_area).collect();
-    assert_all_near(&filled(&found.table, "real_area_m2"), &areas, 1e-9);
-    let mean = areas.iter().sum::<f64>() / 3.0;
-    let scatter = (areas.iter().map(|area| (area - mean).powi(2)).sum::<f64>() / 2.0).sqrt() / mean;
-    assert_near(numbers_of(&found.notes, RemarkCode::Places, ["scatter"])[0], scatter, 1e-9);
-    // The real pressure is three forces over the sum of the areas.
-    let real_pa = 3.0 * FORCE_N / areas.iter().sum::<f64>();
-    let doubts =
-        |hardness_pa: f64| ball(hard(hardness_pa)).on(&fine()).unwrap().answer(&Unobserved).unwrap().notes;
-    assert!(!has(&doubts(1.01 * real_pa), RemarkCode::RealAboveHardness));
-    let [times] = numbers_of(&doubts(0.5 * real_pa), RemarkCode::RealAboveHardness, ["in_hardnesses"]);
-    assert_near(times, 2.0, 1e-9);
-}
-
-#[test]
-fn one_place_has_no_band_and_a_cylinder_repeats_a_map_with_free_edges() {
-    let flat = |boundary| map(boundary, |x, y| 1e-10 * (TAU * (3.0 * x + 2.0 * y)).cos());
-    let answer = |shape, boundary| -> Answer {
-        let force = if shape == IndenterShape::Ball { FORCE_N } else { 1e2 };
-        let question = IndenterQuestion { shape, force, ..ball(steel()) };
-        question.on_map(flat(boundary)).unwrap().answer(&Unobserved).unwrap()
-    };
-    let notes = |shape, boundary| {
-        let question = IndenterQuestion { shape, ..ball(steel()) };
-        has(&question.on_map(flat(boundary)).unwrap().notes, RemarkCode::RepeatedMap)
-    };
-    let found = answer(IndenterShape::Ball, Boundary::Free);
-    assert!(found.figure.unwrap().bands.is_empty() && has(&found.notes, RemarkCode::OnePlace));
-    assert!(answer(IndenterShape::Cylinder, Boundary::Free).figure.is_none());
-    assert!(
-        notes(IndenterShape::Cylinder, Boundary::Free) && !notes(IndenterShape::Cylinder, Boundary::Periodic)
-    );
-    assert!(!notes(IndenterShape::Ball, Boundary::Free) && !notes(IndenterShape::Ball, Boundary::Periodic));
-    let layer = questions::LayerInput {
-        thickness_m: Some(1e-6),
-        youngs_modulus_pa: Some(1e9),
-        poisson_ratio: Some(0.4),
-        ..questions::LayerInput::default()
-    };
-    let layered = ball(MaterialInput { layer: Some(layer), ..steel() });
-    assert_eq!(crate::common::unused(layered.check()).as_deref(), Some("layer_thickness"));
-    let stopped = ball(steel()).on(&fine()).unwrap().answer(&Counted::cancelled());
-    assert!(stopped.is_err_and(|error| error.is_cancelled()));
-}
-
-/// Rubber of 1 MPa.
-fn rubber() -> MaterialInput {
-    MaterialInput { youngs_modulus_pa: Some(0.75e6), poisson_ratio: Some(0.5), ..MaterialInput::default() }
-}
-
-fn sticky(pressures_pa: &[f64]) -> AdhesionQuestion {
-    AdhesionQuestion {
-        material: rubber(),
-        pressures: loads(pressures_pa),
-        work_of_adhesion_j_per_m2: 0.01,
-        range_m: 2e-7,
-        branch: BranchChoice::Both,
-        random: RandomInput {
-            grid: Some(32),
-            realisations: Some(2),
-            shortest_m: Some(8e-6),
-            ..RandomInput::default()
-        },
-        ..AdhesionQuestion::default()
-    }
-}
-
-/// Waves from 32 to 8 um whose gradient of about 0.05 rubber follows only in part.
-fn bumpy() -> study::surface::Surface {
-    let row = |i: i32| {
-        let wavelength_m = 3.2e-5 * 0.25f64.powf(f64::from(i) / 10.0);
-        format!("{wavelength_m:e},{:e}\n", 6e-20 * (wavelength_m / 8e-6).powf(2.6))
-    };
-    spectrum_of(&(0..=10).map(row).collect::<String>())
-}
-
-fn sticking(question: &AdhesionQuestion) -> (Vec<Remark>, Answer) {
-    let prepared = question.on(&bumpy()).unwrap();
-    (prepared.notes.clone(), prepared.answer(&Unobserved).unwrap())
-}
-
-fn line(figure: &FigureData, at: usize) -> (Vec<f64>, Vec<f64>) {
-    figure.series[at].points.iter().copied().unzip()
-}
-
-#[test]
-fn both_branches_of_a_sticky_contact_are_followed_and_their_widest_difference_is_named() {
-    // A ridge of 200 nm, which rubber that has not been pressed touches at its summit alone.
-    let pressures_pa = [1e3, 3e3, 0.0];
-    let deep = || map(Boundary::Periodic, |x, _| 2e-7 * (TAU * x).cos());
-    let question =
-        AdhesionQuestion { work_of_adhesion_j_per_m2: 1e-3, range_m: 5e-8, ..sticky(&pressures_pa) };
-    let found = question.on_maps(vec![deep(), deep()]).unwrap().answer(&Unobserved).unwrap();
-    let areas = filled(&found.table, "area_fraction");
-    let (apart, contact) = areas.split_at(3);
-    assert_all_near(&filled(&found.table, "nominal_pressure_pa")[..2], &pressures_pa[..2], 1e-9);
-    let Some(Cells::Words(branches)) = found.table.column("branch") else { panic!("no branches") };
-    assert_eq!(branches[..], ["apart", "apart", "apart", "contact", "contact", "contact"]);
-    let widest =
-        (0..3).max_by(|a, b| (contact[*a] - apart[*a]).total_cmp(&(contact[*b] - apart[*b]))).unwrap();
-    assert!(contact[widest] - apart[widest] > 1e-2, "{apart:?} {contact:?}");
-    let names =
-        ["hysteresis_pressure_pa", "hysteresis_apart_area_fraction", "hysteresis_contact_area_fraction"];
-    let hysteresis = numbers_of(&found.notes, RemarkCode::Hysteresis, names);
-    assert_eq!(hysteresis, [pressures_pa[widest], apart[widest], contact[widest]]);
-    assert!(!has(&found.notes, RemarkCode::Metastable));
-    // Lines by branch, from the least pressure on; logarithms have no place for 0.
-    let figure = found.figure.unwrap();
-    assert_eq!(line(&figure, 0), (vec![0.0, 1e3, 3e3], vec![apart[2], apart[0], apart[1]]));
-    assert_eq!(line(&figure, 1), (vec![0.0, 1e3, 3e3], vec![contact[2], contact[0], contact[1]]));
-    assert_eq!(figure.x_scale, AxisScale::Linear);
-    assert_ne!(figure.title, figure.y_label);
-    // A low surface touches by as much whichever way it came.
-    let (before, found) = sticking(&sticky(&[2e3, 8e3]));
-    assert!(!has(&found.notes, RemarkCode::Hysteresis));
-    assert!(numbers_of(&before, RemarkCode::AdhesionIndicators, ["pastewka_robbins"])[0] > 0.0);
-}
-
-#[test]
-fn one_branch_has_no_hysteresis_and_a_pull_is_metastable() {
-    for (branch, pressures_pa, name) in
-        [(BranchChoice::Apart, [2e3, 8e3], "apart"), (BranchChoice::Contact, [-1.0, 8e3], "contact")]
-    {
-        let question = AdhesionQuestion { branch, per_realisation: true, ..sticky(&pressures_pa) };
-        let (_, found) = sticking(&question);
-        assert!(!has(&found.notes, RemarkCode::Hysteresis));
-        assert_eq!(has(&found.notes, RemarkCode::Metastable), pressures_pa[0] < 0.0);
-        let Some(Cells::Words(branches)) = found.table.column("branch") else { panic!("no branches") };
-        assert_eq!(branches[..], [name; 4]);
-        assert_eq!(filled(&found.table, "realisation"), [1.0, 1.0, 2.0, 2.0]);
-        // The figure has the mean of both surfaces.
-        let areas = filled(&found.table, "area_fraction");
-        let figure = found.figure.unwrap();
-        assert_eq!(figure.series.len(), 1);
-        assert_all_near(
-            &line(&figure, 0).1,
-            &[0.5 * (areas[0] + areas[2]), 0.5 * (areas[1] + areas[3])],
-            1e-12,
-        );
-        let expected = if pressures_pa[0] < 0.0 { AxisScale::Linear } else { AxisScale::Logarithmic };
-        assert_eq!(figure.x_scale, expected);
-    }
-}
-
-#[test]
-fn the_pull_off_is_the_largest_pull_of_every_surface() {
-    for realisations in [1, 2] {
-        let mut question = AdhesionQuestion { pull_off: true, ..sticky(&[]) };
-        question.random.realisations = Some(realisations);
-        let (_, found) = sticking(&question);
-        let [pressures, gaps, areas] =
-            ["nominal_pressure_pa", "mean_gap_m", "area_fraction"].map(|name| filled(&found.table, name));
-        let surface_of = match realisations {
-            1 => vec![1.0; pressures.len()],
-            _ => filled(&found.table, "realisation"),
-        };
-        let strongest: Vec<usize> = (1..=realisations)
-            .map(|surface| {
-                let rows = (0..pressures.len()).filter(|row| surface_of[*row] == surface as f64);
-                rows.min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap()
-            })
-            .collect();
-        let mean =
-            |column: &[f64]| strongest.iter().map(|row| column[*row]).sum::<f64>() / realisations as f64;
-        let names = ["pull_off_pressure_pa", "pull_off_mean_gap_m", "pull_off_area_fraction"];
-        let pull_off = numbers_of(&found.notes, RemarkCode::PullOff, names);
-        assert_all_near(&pull_off, &[mean(&pressures), mean(&gaps), mean(&areas)], 1e-12);
-        assert!(pull_off[0] < 0.0);
-        let figure = found.figure.unwrap();
-        assert_eq!((figure.series.len(), figure.x_scale), (realisations, AxisScale::Linear));
-        let marks: Vec<(f64, f64)> = figure.marks.iter().map(|mark| (mark.x, mark.y)).collect();
-        assert_eq!(marks, strongest.iter().map(|row| (gaps[*row], pressures[*row])).collect::<Vec<_>>());
-        assert!(
-            figure
-                .marks
-                .iter()
-                .enumerate()
-                .all(|(at, mark)| { mark.condition_index == (realisations > 1).then_some(at) })
-        );
-        let points: Vec<(f64, f64)> = figure.series.iter().flat_map(|line| line.points.clone()).collect();
-        assert_eq!(points, gaps.iter().copied().zip(pressures.iter().copied()).collect::<Vec<_>>());
-        assert_eq!(figure.series[0].column == "nominal_pressure_pa", realisations == 1);
-        for shown in [display::pressure(-pull_off[0]), display::length(pull_off[1])] {
-            assert!(figure.title.contains(&shown), "{}", figure.title);
-        }
-        assert_eq!(figure.title.contains('2') && figure.title.contains("surfaces"), realisations == 2);
-    }
-}
-
-#[test]
-fn a_grid_with_less_than_two_points_in_the_process_zone_is_called_coarse() {
-    // E* rho^2/w over the spacing of 1 um.
-    let points = |points: f64| {
-        let range_m = (points * 1e-6 * 0.01 / 1e6f64).sqrt();
-        let question = AdhesionQuestion { range_m, ..sticky(&[1e3]) };
-        question.on_maps(vec![ridge()]).unwrap().notes
-    };
-    assert!(!has(&points(2.1), RemarkCode::ProcessZoneCoarse));
-    let [found] = numbers_of(&points(1.5), RemarkCode::ProcessZoneCoarse, ["process_zone_points"]);
-    assert_near(found, 1.5, 1e-9);
-    let free = Relief { boundary: Boundary::Free, ..ridge() };
-    assert!(matches!(sticky(&[1e3]).on_maps(vec![free]), Err(QuestionError::Adhesion(_))));
-    let in_hardnesses = AdhesionQuestion { pressures: vec!["0.1 H".parse().unwrap()], ..sticky(&[]) };
-    assert!(matches!(in_hardnesses.check(), Err(QuestionError::Load { option: "pressure", .. })));
-    let stopped = sticky(&[1e3]).on(&bumpy()).unwrap().answer(&Counted::cancelled());
-    assert!(stopped.is_err_and(|error| error.is_cancelled()));
 }
 
 /// A scene with one map of `rows` and `columns` of points 1 um apart.

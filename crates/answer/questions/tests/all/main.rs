@@ -1,9 +1,11 @@
 //! The tests of this crate from outside, in one program: linking takes longer than running them.
 
+mod adhesion;
 mod bodies;
 mod common;
 mod curves;
 mod elements;
+mod indenters;
 mod laws;
 mod rows;
 mod scenes;
