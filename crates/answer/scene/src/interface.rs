@@ -89,7 +89,7 @@ pub(super) fn check_flatness(raw: &RawScene, longest_m: f64) -> Result<(), Scene
         return Ok(());
     }
     let message = format!(
-        "key interface.flatness: {} is over less than the longest wave of the spectrum, {}, which shows it already; give the flatness of the \
+        "a flatness of {} is over less than the longest wave of the spectrum, {}, which shows it already; give the flatness of the \
          nominal contact, over its length, or leave it out",
         typed.text,
         length(longest_m)

@@ -110,7 +110,7 @@ pub(crate) struct MapArgs {
     /// Trend subtracted from the heights: by default a plane, from periodic data the mean
     #[arg(long, value_parser = one_of::<Detrend, _>(Detrend::ALL))]
     pub detrend: Option<Detrend>,
-    /// What is taken out of the stiffness of a map with free edges: nothing, the approach of its outline as a rigid punch, or the
+    /// Compliance taken out of the stiffness of a map with free edges: none, the approach of its outline as a rigid punch, or the
     /// mean displacement under even pressure on it
     #[arg(long, value_name = "KIND", conflicts_with_all = ["ball_radius", "cylinder_radius", "work_of_adhesion"], value_parser = one_of::<SpecimenCompliance, _>(SpecimenCompliance::ALL))]
     pub compliance: Option<SpecimenCompliance>,

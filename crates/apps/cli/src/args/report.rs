@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use interface::flatness::Flatness;
 use measurements::ScanRequest;
 use questions::BodyText;
 
@@ -26,7 +25,7 @@ pub(crate) struct ReportArgs {
     pub pressure: Vec<String>,
     /// Flatness of the nominal contact, as "5 um over 40 mm": height from valley to peak over its length; flat where not given
     #[arg(long, value_name = "H over L", allow_hyphen_values = true)]
-    pub flatness: Option<Flatness>,
+    pub flatness: Option<String>,
     /// Ask from which pressure on the contact seals
     #[arg(long)]
     pub seal: bool,

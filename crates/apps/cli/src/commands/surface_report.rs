@@ -95,7 +95,7 @@ fn question(args: &ReportArgs) -> Result<ReportQuestion, Failure> {
         pressures,
         strength_cap: args.strength_cap.clone(),
         seal: args.seal,
-        flatness: args.flatness.map(|flatness| flatness.to_string()),
+        flatness: args.flatness.clone(),
     })
 }
 
