@@ -172,15 +172,17 @@ fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> 
 /// the mean gap has settled, or a few numbers say nothing of them.
 fn longer_waves(scene: &Scene, states: &InterfaceStates<'_>) -> Option<Remark> {
     let request = states.request;
-    let is_asked = request.seal.is_some() || request.asks.gap || request.asks.heat || request.asks.current;
-    if is_asked && states.lacks_roll_off() {
+    if !request.hangs_on_long_waves() {
+        return None;
+    }
+    if states.lacks_roll_off() {
         let remark = Remark::new(RemarkCode::GapNotSettled)
             .with("longest_m", scene.surface.psd.longest_wavelength_m());
         let flatness = request.flatness.map(|flatness| flatness.to_string());
         return Some(flatness.into_iter().fold(remark, |remark, flatness| remark.with("flatness", flatness)));
     }
     let is_guessed = scene.surface.assumed().is_some() && request.flatness.is_none();
-    (is_asked && is_guessed).then(|| Remark::new(RemarkCode::TakenAsFlat))
+    is_guessed.then(|| Remark::new(RemarkCode::TakenAsFlat))
 }
 
 /// The caution that contact spreads over a part of a nominal contact that is not flat, under the load that stands for all.
@@ -204,9 +206,7 @@ fn spreads_over_part(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) ->
 
 /// Returns true if something is asked that hangs on the heights of the roughness, even where the area does not.
 fn needs_heights(states: &InterfaceStates<'_>) -> bool {
-    let request = states.request;
-    let asks = request.asks;
-    asks.gap || asks.heat || asks.current || request.seal.is_some() || request.shear.is_some()
+    states.request.hangs_on_long_waves() || states.request.shear.is_some()
 }
 
 /// Returns true for cautions on the spectrum, without effect on an area that hangs on the hardness alone.

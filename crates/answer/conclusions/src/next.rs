@@ -58,7 +58,7 @@ pub enum NextStep {
         /// The shortest wavelength of the spectrum \[m\].
         from_m: f64,
     },
-    /// The flatness of the nominal contact, since the spectrum ends before the mean gap has settled.
+    /// The flatness of the nominal contact, since the spectrum says too little of the longest waves.
     Flatness {
         /// The longest wavelength of the spectrum \[m\].
         from_m: f64,
@@ -127,17 +127,17 @@ pub(crate) fn next_steps(
     let scan = tip.and_then(|tip| tip.place.files.first());
     steps.extend(scan.map(|scan| NextStep::TipRadius { scan: scan.clone() }));
     let from_m = surface.psd.longest_wavelength_m();
-    let ends_early = states
-        .filter(|_| warned(&[RemarkCode::GapNotSettled, RemarkCode::TakenAsFlat]).is_some())
-        .map(|states| {
-            let step = match states.request.flatness {
-                Some(_) => NextStep::WiderScan { from_m },
-                None => NextStep::Flatness { from_m },
-            };
-            (step, decides_more_than_the_gap(states))
+    let longer_waves =
+        warned(&[RemarkCode::GapNotSettled, RemarkCode::TakenAsFlat]).and(states).map(|states| match states
+            .request
+            .flatness
+        {
+            Some(_) => NextStep::WiderScan { from_m },
+            None => NextStep::Flatness { from_m },
         });
-    let at_once = |decides: bool| ends_early.clone().filter(|found| found.1 == decides).map(|found| found.0);
-    steps.extend(at_once(true));
+    // Every report names the gap; heat, current and leaks are asked for.
+    let come_first = states.is_some_and(|states| states.request.conducts_or_seals());
+    steps.extend(longer_waves.clone().filter(|_| come_first));
     let mut ranked = from_draws(evidence, load);
     let draws_strength = ranked
         .iter()
@@ -160,19 +160,13 @@ pub(crate) fn next_steps(
     let is_told = shorter_waves_are_told(evidence, load);
     let shortest_m = surface.psd.shortest_wavelength_m();
     steps.extend(still_falls.filter(|_| !is_told).map(|_| NextStep::FinerScan { from_m: shortest_m }));
-    steps.extend(at_once(false));
+    steps.extend(longer_waves.filter(|_| !come_first));
     let adds_scans = steps.iter().any(|step| matches!(step, NextStep::MoreScans { .. }));
     let few = warned(&[RemarkCode::FewScans]).filter(|_| !adds_scans && !hangs_on_hardness);
     let instrument = few.and_then(|few| few.text("instrument"));
     steps.extend(instrument.map(|instrument| NextStep::SecondScan { instrument: instrument.to_owned() }));
     steps.truncate(MAX_STEPS);
     steps
-}
-
-/// Tells whether a scene asks for more that the longest waves decide than the gap, which every report names.
-fn decides_more_than_the_gap(states: &InterfaceStates<'_>) -> bool {
-    let request = states.request;
-    request.seal.is_some() || request.asks.heat || request.asks.current
 }
 
 /// Tells whether the draws say where the area settles: it is a step of theirs already, or not worth one.

@@ -57,12 +57,14 @@ impl SealConclusion {
     }
 }
 
+/// The pressure that closes a seal, the same under all loads.
+const TIGHT: Slot = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
+
 impl SealClosing {
     /// Finds the pressure; `None` if none closes the seal.
     pub(crate) fn new(states: &InterfaceStates<'_>, uncertainty: Option<&Uncertainty>) -> Option<Self> {
-        let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
-        let of_flat_pa = states.value(tight).ok().flatten()?;
-        let interval = uncertainty.and_then(|found| found.quantity(tight));
+        let of_flat_pa = states.value(TIGHT).ok().flatten()?;
+        let interval = uncertainty.and_then(|found| found.quantity(TIGHT));
         let (low, high) = interval.map_or((1.0, 1.0), |found| {
             ((found.low / of_flat_pa).min(1.0), (found.high / of_flat_pa).max(1.0))
         });
@@ -79,8 +81,7 @@ impl SealClosing {
 /// The pressures \[Pa\] that close a seal by both limits of the flatness, in rising order: as a wave of the roughness, and as a cap that
 /// has to touch all over; `None` without a flatness.
 fn flatness_limits_pa(states: &InterfaceStates<'_>, of_flat_pa: f64) -> Option<[f64; 2]> {
-    let tight = Slot { quantity: Quantity::TightPressure, load: None, curve: None };
-    let by_wave_pa = states.with_wave()?.value(tight).ok().flatten()?;
+    let by_wave_pa = states.with_wave()?.value(TIGHT).ok().flatten()?;
     let modulus_pa = states.inputs.pair.composite_modulus_pa();
     let by_cap_pa = of_flat_pa.max(states.request.flatness?.flattening_pressure_pa(modulus_pa));
     Some([by_wave_pa.min(by_cap_pa), by_wave_pa.max(by_cap_pa)])

@@ -111,6 +111,18 @@ impl AdhesionRequest {
 }
 
 impl InterfaceRequest {
+    /// Tells whether heat, current or a seal is asked for, which hang on the gap and so on the longest waves.
+    #[must_use]
+    pub fn conducts_or_seals(&self) -> bool {
+        self.seal.is_some() || self.asks.heat || self.asks.current
+    }
+
+    /// Tells whether the longest waves decide something that is asked for.
+    #[must_use]
+    pub fn hangs_on_long_waves(&self) -> bool {
+        self.asks.gap || self.conducts_or_seals()
+    }
+
     /// Tells whether the fluid of a seal presses as much as the bodies do, at a nominal pressure \[Pa\], and would part them.
     #[must_use]
     pub fn parts_bodies(&self, pressure_pa: f64) -> bool {

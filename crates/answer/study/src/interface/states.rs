@@ -65,7 +65,7 @@ struct ElasticStates {
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
     sheared: Vec<OnceLock<Option<ShearedContact>>>,
     constrictions: Vec<OnceLock<Option<MagnifiedContact>>>,
-    /// The same with the deviation of the nominal contact from a plane as a wave, if one is given.
+    /// States with the deviation of the nominal contact from a plane as a wave, if one is given.
     with_wave: Option<Arc<ElasticStates>>,
     /// The additions of both limits of that deviation under every load, once they are read.
     flatness: Vec<OnceLock<[FlatnessAdds; 2]>>,
@@ -92,7 +92,7 @@ impl<'a> InterfaceStates<'a> {
         Some(InterfaceStates { request, inputs, elastic: Arc::new(elastic) })
     }
 
-    /// Returns the same with the deviation from flat faces as a wave of the roughness; `None` without one.
+    /// Returns the states with the deviation from flat faces as a wave of the roughness; `None` without one.
     #[must_use]
     pub fn with_wave(&self) -> Option<Self> {
         let elastic = Arc::clone(self.elastic.with_wave.as_ref()?);
