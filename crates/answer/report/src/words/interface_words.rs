@@ -194,6 +194,10 @@ fn of_the_seal(
          channel alone lets through, a quarter to all below 5 % contact, and a fiftieth to four times above 30 %"
             .to_owned()
     }));
+    let is_bowed = seal.joint.is_some() && states.request.flatness.is_some();
+    notes.extend(is_bowed.then(|| {
+        "faces that are not flat leak around their contact: the high end of the leak rate is what the open gap lets through".to_owned()
+    }));
     notes.extend(seal.joint.and_then(|joint| joint.gas_expansion()).map(|times| {
         format!(
             "the viscosity is that of a gas, which expands: the leak rate is the volume at the mean of both pressures, and {} times as much \

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use asperity::{ElasticBody, Layer, MaterialPair};
 use persson::separation::SeparationLaw;
 use persson::{EnergyFactor, Roughness, RoughnessSample};
 
@@ -57,4 +58,22 @@ fn a_small_wave_changes_nothing_and_a_large_one_decides() {
         .map(|times| law(&rough.with_long_wave(2e-3, times * rms_m2).unwrap()).whole(1.0).mean_gap_m)
         .to_vec();
     assert!((gaps[1] / gaps[0] - 2.0).abs() < 0.2, "{gaps:?}");
+}
+
+#[test]
+fn a_wave_on_a_layer_is_that_of_the_layer() {
+    let body = ElasticBody::new(1e9, 0.3).unwrap();
+    let layer = Layer::new(body, 50e-6, None).unwrap();
+    let pair = MaterialPair::against_rigid(body).bonded(Some(layer));
+    let (compliance, modulus_pa) = (pair.layer_compliance().unwrap(), pair.composite_modulus_pa());
+    let last = |roughness: Roughness| roughness.places().last().unwrap().variance_pa2(modulus_pa);
+    let [before, behind] = [
+        last(roughness().with_long_wave(200e-6, 4e-14).unwrap().on_layer(compliance)),
+        last(roughness().on_layer(compliance).with_long_wave(200e-6, 4e-14).unwrap()),
+    ];
+    let plain = last(roughness().on_layer(compliance));
+    assert!(
+        behind > plain && ((behind - plain) / (before - plain) - 1.0).abs() < 1e-2,
+        "{plain} {before} {behind}"
+    );
 }
