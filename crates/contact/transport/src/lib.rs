@@ -1,0 +1,11 @@
+#![doc = include_str!("../README.md")]
+//!
+//! Modules by subject:
+//! * [`GapField`]: the gap between two surfaces, point by point;
+//! * [`flow`]: flow factors of a gap by Reynolds' equation.
+#![deny(missing_docs)]
+
+pub mod flow;
+mod gap_field;
+
+pub use gap_field::{GapField, GapFieldError};
