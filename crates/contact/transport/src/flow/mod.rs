@@ -8,11 +8,15 @@
 mod cholesky;
 mod network;
 
+use numerics::parallel::Progress;
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::GapField;
 use network::Network;
+
+/// Number of progress steps of [`solve`].
+pub const PROGRESS_STEPS: usize = 100;
 
 /// Direction of the mean pressure gradient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -66,17 +70,30 @@ pub enum FlowError {
         "flow through the gap: the balance of its points is singular; smooth the field, or raise gaps below 1e-6 of the mean gap to 0"
     )]
     Singular,
+    /// The work was cancelled.
+    #[error("flow through the gap: ended before it was solved")]
+    Cancelled,
 }
 
-/// Solves the flow through a gap along one direction.
+/// Solves the flow through a gap along one direction, in [`PROGRESS_STEPS`] steps.
 ///
 /// # Errors
-/// [`FlowError`] if the equations have no solution in double precision.
-pub fn solve(gap: &GapField<'_>, direction: Direction, ends: Ends) -> Result<Flow, FlowError> {
+/// [`FlowError`] if the equations have no solution in double precision, and if `progress` cancels.
+pub fn solve(
+    gap: &GapField<'_>,
+    direction: Direction,
+    ends: Ends,
+    progress: &dyn Progress,
+) -> Result<Flow, FlowError> {
     let network = Network::new(gap, direction, ends);
+    if progress.is_cancelled() {
+        return Err(FlowError::Cancelled);
+    }
     if network.is_closed() {
+        progress.advance(PROGRESS_STEPS);
         return Ok(Flow { flow_factor: 0.0, residual: 0.0, iterations: 0, flux: Vec::new() });
     }
     let pressures = cholesky::pressures(&network)?;
+    progress.advance(PROGRESS_STEPS);
     Ok(network.flow(&pressures))
 }

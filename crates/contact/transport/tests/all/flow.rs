@@ -1,6 +1,7 @@
 //! Flow factors with a closed form, and their symmetries.
 
 use elements::half_space::Grid;
+use numerics::parallel::Unobserved;
 use transport::GapField;
 use transport::flow::{Direction, Ends, solve};
 
@@ -11,7 +12,7 @@ fn grid(rows: usize, columns: usize) -> Grid {
 }
 
 fn factor(grid: Grid, gaps_m: &[f64], direction: Direction, ends: Ends) -> f64 {
-    let flow = solve(&GapField::new(grid, gaps_m).unwrap(), direction, ends).unwrap();
+    let flow = solve(&GapField::new(grid, gaps_m).unwrap(), direction, ends, &Unobserved).unwrap();
     assert!(flow.residual < 1e-10, "{}", flow.residual);
     flow.flow_factor
 }
