@@ -1,13 +1,20 @@
 //! The gap between two surfaces, point by point.
 
+use std::borrow::Cow;
+
 use elements::half_space::{Grid, HalfSpaceError};
+use elements::{ContactField, PointState};
 use thiserror::Error;
 
+/// Share of the mean gap below which a gap counts as closed: 1e-15 of the mean conductance, less than rounding leaves of a flow.
+const CLOSED_BELOW: f64 = 1e-5;
+
 /// Gap between two surfaces at the points of a grid.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct GapField<'g> {
     grid: Grid,
-    gaps_m: &'g [f64],
+    gaps_m: Cow<'g, [f64]>,
+    mean_gap_m: f64,
 }
 
 /// Reason why a gap field is refused.
@@ -21,16 +28,29 @@ pub enum GapFieldError {
 
 impl<'g> GapField<'g> {
     /// Creates the field of the gaps \[m\] at the points of a grid, row by row. Points without a positive, finite gap are closed:
-    /// contact, where elements overlap by rounding, and missing points.
+    /// contact, where surfaces overlap, and missing points. So are gaps below 1e-5 of the mean gap.
     ///
     /// # Errors
     /// [`GapFieldError`] for a field of another size than its grid.
-    pub fn new(grid: Grid, gaps_m: &'g [f64]) -> Result<Self, GapFieldError> {
-        let expected = grid.points();
+    pub fn new(grid: Grid, gaps_m: impl Into<Cow<'g, [f64]>>) -> Result<Self, GapFieldError> {
+        let (gaps_m, expected) = (gaps_m.into(), grid.points());
         if gaps_m.len() != expected {
             return Err(HalfSpaceError::Size { given: gaps_m.len(), expected }.into());
         }
-        Ok(GapField { grid, gaps_m })
+        let open = gaps_m.iter().copied().filter(|gap_m| is_open(*gap_m));
+        let mean_gap_m = open.sum::<f64>() / expected as f64;
+        Ok(GapField { grid, gaps_m, mean_gap_m })
+    }
+
+    /// Creates the field of a pressed surface. Points in contact are closed, also where elements leave a gap within their tolerance.
+    ///
+    /// # Errors
+    /// [`GapFieldError`] for a field of another size than its grid.
+    pub fn from_contact(field: &ContactField<'g>) -> Result<Self, GapFieldError> {
+        let open = field.states().zip(field.gaps_m);
+        let gaps_m: Vec<f64> =
+            open.map(|(state, &gap_m)| if state == PointState::Open { gap_m } else { 0.0 }).collect();
+        Self::new(field.relief.grid()?, gaps_m)
     }
 
     /// The grid.
@@ -43,14 +63,13 @@ impl<'g> GapField<'g> {
     #[must_use]
     pub fn gap_m(&self, point: usize) -> f64 {
         let gap_m = self.gaps_m[point];
-        if gap_m.is_finite() { gap_m.max(0.0) } else { 0.0 }
+        if is_open(gap_m) && gap_m > CLOSED_BELOW * self.mean_gap_m { gap_m } else { 0.0 }
     }
 
     /// Mean of the open gap over all points \[m\].
     #[must_use]
     pub fn mean_gap_m(&self) -> f64 {
-        let points = self.grid.points();
-        (0..points).map(|point| self.gap_m(point)).sum::<f64>() / points as f64
+        self.mean_gap_m
     }
 
     /// Share of the points that are closed.
@@ -59,4 +78,8 @@ impl<'g> GapField<'g> {
         let points = self.grid.points();
         (0..points).filter(|&point| self.gap_m(point) == 0.0).count() as f64 / points as f64
     }
+}
+
+fn is_open(gap_m: f64) -> bool {
+    gap_m.is_finite() && gap_m > 0.0
 }
