@@ -5,16 +5,35 @@
 //! slot of the mean gap gbar, the mean over all points. Contact is impermeable. Points exchange fluid with their four neighbours,
 //! through the harmonic mean of g^3.
 
+mod aggregates;
 mod cholesky;
+mod conjugate_gradients;
+mod elimination;
+mod graph;
+mod lattice;
+mod multigrid;
 mod network;
 
-use numerics::parallel::Progress;
+use numerics::parallel::{NestedProgress, Progress};
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::GapField;
-use network::Network;
+use cholesky::Factors;
+use conjugate_gradients::Iteration;
+use lattice::Lattice;
+use network::{Network, norm};
 
+/// Number of points with flow up to which the direct solution is as fast as the iteration.
+const DIRECT: usize = 100_000;
+/// Number of points with flow up to which the direct solution has the memory, 1.5 GB, to stand in for an iteration that stalls.
+const MOST_DIRECT: usize = 3_000_000;
+/// Residual of a solution, relative to the flow under the mean gradient alone.
+const TOLERANCE: f64 = 1e-8;
+/// Power of what is left over that of the flow, as the solver estimates it: the relative error of the flow factor.
+const POWER_TOLERANCE: f64 = 1e-12;
+/// Solutions that correct each other.
+const MOST_ROUNDS: usize = 8;
 /// Number of progress steps of [`solve`].
 pub const PROGRESS_STEPS: usize = 100;
 
@@ -70,12 +89,27 @@ pub enum FlowError {
         "flow through the gap: the balance of its points is singular; smooth the field, or raise gaps below 1e-6 of the mean gap to 0"
     )]
     Singular,
+    /// Rounding or the number of steps kept the solution from its tolerance.
+    #[error(
+        "flow through the gap: the balance of its points does not converge; smooth the field, or raise gaps below 1e-6 of the mean gap to 0"
+    )]
+    Stalled,
     /// The work was cancelled.
     #[error("flow through the gap: ended before it was solved")]
     Cancelled,
 }
 
-/// Solves the flow through a gap along one direction, in [`PROGRESS_STEPS`] steps.
+/// Way to solve the balance of the points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Sparse Cholesky factors: exact but for rounding, and fast on small fields.
+    Direct,
+    /// Conjugate gradients with multigrid, to a residual of 1e-8 and a flow factor within some 1e-12 of itself; memory and time grow
+    /// with the number of points.
+    Iterative,
+}
+
+/// Solves the flow through a gap along one direction, in [`PROGRESS_STEPS`] steps, by the method that suits the size of the field.
 ///
 /// # Errors
 /// [`FlowError`] if the equations have no solution in double precision, and if `progress` cancels.
@@ -86,14 +120,83 @@ pub fn solve(
     progress: &dyn Progress,
 ) -> Result<Flow, FlowError> {
     let network = Network::new(gap, direction, ends);
-    if progress.is_cancelled() {
-        return Err(FlowError::Cancelled);
+    let lattice = Lattice::new(gap.grid(), direction, ends);
+    let [first, second] = if network.count() <= DIRECT {
+        [Method::Direct, Method::Iterative]
+    } else {
+        [Method::Iterative, Method::Direct]
+    };
+    match network.solve(&lattice, first, progress) {
+        Err(FlowError::Stalled | FlowError::Singular) if network.count() <= MOST_DIRECT => {
+            network.solve(&lattice, second, &NestedProgress(progress))
+        }
+        solved => solved,
     }
-    if network.is_closed() {
-        progress.advance(PROGRESS_STEPS);
-        return Ok(Flow { flow_factor: 0.0, residual: 0.0, iterations: 0, flux: Vec::new() });
+}
+
+/// Solves the flow through a gap along one direction by a method, in [`PROGRESS_STEPS`] steps.
+///
+/// # Errors
+/// As [`solve`]; [`FlowError::Stalled`] if the iteration does not reach its tolerance.
+pub fn solve_by(
+    method: Method,
+    gap: &GapField<'_>,
+    direction: Direction,
+    ends: Ends,
+    progress: &dyn Progress,
+) -> Result<Flow, FlowError> {
+    let network = Network::new(gap, direction, ends);
+    network.solve(&Lattice::new(gap.grid(), direction, ends), method, progress)
+}
+
+/// Pressures that take up a load, and the power that they take away from the flow.
+struct Correction {
+    pressures: Vec<f64>,
+    fall: f64,
+}
+
+impl Network {
+    fn solve(&self, lattice: &Lattice, method: Method, progress: &dyn Progress) -> Result<Flow, FlowError> {
+        if progress.is_cancelled() {
+            return Err(FlowError::Cancelled);
+        }
+        if self.count() == 0 {
+            progress.advance(PROGRESS_STEPS);
+            return Ok(Flow { flow_factor: 0.0, residual: 0.0, iterations: 0, flux: Vec::new() });
+        }
+        let (pressures, iterations) = match method {
+            Method::Direct => {
+                let factors = Factors::new(self)?;
+                let pressures = self.balanced(|load, _| Ok(factors.solve(&load)))?;
+                progress.advance(PROGRESS_STEPS);
+                (pressures, 0)
+            }
+            Method::Iterative => {
+                let mut iteration = Iteration::new(self, progress);
+                let pressures = self.balanced(|load, power| iteration.solve(load, power))?;
+                iteration.report_end();
+                (pressures, iteration.steps)
+            }
+        };
+        Ok(self.flow(&pressures, lattice, iterations))
     }
-    let pressures = cholesky::pressures(&network)?;
-    progress.advance(PROGRESS_STEPS);
-    Ok(network.flow(&pressures))
+
+    /// Pressures by a solution and its corrections, which mend the rounding of the earlier ones, until the next would change nothing.
+    fn balanced(
+        &self,
+        mut solve: impl FnMut(Vec<f64>, f64) -> Result<Correction, FlowError>,
+    ) -> Result<Vec<f64>, FlowError> {
+        let mut pressures = vec![0.0; self.count()];
+        for round in 0..MOST_ROUNDS {
+            let load: Vec<f64> = self.outflow(&pressures, 1.0).into_iter().map(|flow| -flow).collect();
+            let (power, residual) = (self.power(&pressures), norm(&load) / self.driven());
+            let correction = solve(load, power)?;
+            if round > 0 && residual <= TOLERANCE && correction.fall <= POWER_TOLERANCE * power {
+                return Ok(pressures);
+            }
+            let corrected = pressures.iter_mut().zip(correction.pressures);
+            corrected.for_each(|(pressure, correction)| *pressure += correction);
+        }
+        Err(FlowError::Stalled)
+    }
 }

@@ -1,17 +1,18 @@
 //! Points of a gap that flow reaches, and the ties between them.
 
 use crate::GapField;
+use crate::flow::lattice::{Lattice, Parts};
 use crate::flow::{Direction, Ends, Flow};
 
-/// Index of a point that carries no flow.
+/// Index of a missing point.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// Tie between two points that carry flow, or between one and a reservoir.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tie {
-    /// The point where the tie begins; [`NONE`] for the reservoir before the first.
+    /// The unknown where the tie begins; [`NONE`] for the reservoir before the first.
     pub from: u32,
-    /// The point where it ends; [`NONE`] for the reservoir behind the last.
+    /// The unknown where it ends; [`NONE`] for the reservoir behind the last.
     pub to: u32,
     /// Flow per pressure difference, in units of the slot's.
     pub conductance: f64,
@@ -20,200 +21,185 @@ pub(super) struct Tie {
 }
 
 /// Points that carry flow, and their ties. A mean gradient of 1 per point drives the flow; the pressures are what is left.
+#[derive(Default)]
 pub(super) struct Network {
-    /// Unknown of each point of the grid; [`NONE`] for those that carry no flow.
-    pub unknowns: Vec<u32>,
-    /// Number of unknowns.
-    pub count: usize,
-    /// Ties.
-    pub ties: Vec<Tie>,
     /// One unknown of each connected part that no reservoir holds: its pressure is 0.
     pub held: Vec<u32>,
-    along: usize,
-    flow_of_slot: f64,
-    direction: Direction,
-    /// Point before each end of a tie, in the grid: to spread the flux.
-    places: Vec<[u32; 2]>,
-}
-
-/// Parts of a field that are connected, each point with its offset from the root of its part in turns around the field.
-struct Parts {
-    parents: Vec<u32>,
-    turns: Vec<i32>,
-    /// True for roots of parts that lead around the field along the flow.
-    leads_through: Vec<bool>,
-}
-
-impl Parts {
-    fn new(points: usize) -> Self {
-        Parts {
-            parents: (0..points as u32).collect(),
-            turns: vec![0; points],
-            leads_through: vec![false; points],
-        }
-    }
-
-    /// Finds the root of a point and its turns from there, and shortens the way.
-    fn root(&mut self, point: u32) -> (u32, i32) {
-        let (mut root, mut turns) = (point, 0);
-        while self.parents[root as usize] != root {
-            turns += self.turns[root as usize];
-            root = self.parents[root as usize];
-        }
-        let (mut at, mut left) = (point, turns);
-        while self.parents[at as usize] != root && at != root {
-            let (next, own) = (self.parents[at as usize], self.turns[at as usize]);
-            self.parents[at as usize] = root;
-            self.turns[at as usize] = left;
-            left -= own;
-            at = next;
-        }
-        (root, turns)
-    }
-
-    /// Connects two points, with `turns` around the field from the first to the second.
-    fn connect(&mut self, one: u32, other: u32, turns: i32) {
-        let ((root, own), (second, others)) = (self.root(one), self.root(other));
-        // The second root lies own + turns - others turns from the first.
-        let between = own + turns - others;
-        if root == second {
-            self.leads_through[root as usize] |= between != 0;
-            return;
-        }
-        self.parents[second as usize] = root;
-        self.turns[second as usize] = between;
-        self.leads_through[root as usize] |= self.leads_through[second as usize];
-    }
+    /// Point of the grid of each unknown.
+    places: Vec<u32>,
+    /// Unknown behind each along the flow, with the conductance of the tie; [`NONE`] with one for the last reservoir.
+    next: Vec<u32>,
+    along: Vec<f64>,
+    /// Unknown beside each, with the conductance of the tie.
+    beside: Vec<u32>,
+    across: Vec<f64>,
+    /// Unknowns at the first reservoir, with the conductances of their ties.
+    inlets: Vec<(u32, f64)>,
 }
 
 impl Network {
     pub(super) fn new(gap: &GapField<'_>, direction: Direction, ends: Ends) -> Self {
-        let grid = gap.grid();
-        let (rows, columns, points) = (grid.rows(), grid.columns(), grid.points());
+        let lattice = Lattice::new(gap.grid(), direction, ends);
         let mean_m = gap.mean_gap_m();
-        let cubes: Vec<f64> = (0..points).map(|point| (gap.gap_m(point) / mean_m).powi(3)).collect();
+        let cubes: Vec<f64> = (0..lattice.points).map(|point| (gap.gap_m(point) / mean_m).powi(3)).collect();
         let is_open = |point: usize| cubes[point] > 0.0;
-        let right =
-            |point: usize| if (point + 1).is_multiple_of(columns) { point + 1 - columns } else { point + 1 };
-        let below = |point: usize| (point + columns) % points;
-        let (step_x_m, step_y_m) = (grid.length_x_m() / columns as f64, grid.length_y_m() / rows as f64);
-        let ratio = match direction {
-            Direction::X => step_y_m / step_x_m,
-            Direction::Y => step_x_m / step_y_m,
-        };
-        // Along the flow and across it.
-        let (along, across, next, beside): (_, _, &dyn Fn(usize) -> usize, &dyn Fn(usize) -> usize) =
-            match direction {
-                Direction::X => (columns, rows, &right, &below),
-                Direction::Y => (rows, columns, &below, &right),
-            };
-        let place = |point: usize| match direction {
-            Direction::X => point % columns,
-            Direction::Y => point / columns,
-        };
-        let is_end = |point: usize| place(point) + 1 == along;
-        let mut parts = Parts::new(points + 1);
-        let reservoir = points as u32;
-        for point in (0..points).filter(|&point| is_open(point)) {
-            if is_open(beside(point)) {
-                parts.connect(point as u32, beside(point) as u32, 0);
-            }
-            match ends {
-                Ends::Periodic if is_open(next(point)) => {
-                    parts.connect(point as u32, next(point) as u32, i32::from(is_end(point)));
-                }
-                Ends::Reservoirs if !is_end(point) && is_open(next(point)) => {
-                    parts.connect(point as u32, next(point) as u32, 0);
-                }
-                Ends::Reservoirs if is_end(point) => parts.connect(point as u32, reservoir, 1),
-                _ => {}
-            }
-            if ends == Ends::Reservoirs && place(point) == 0 {
-                parts.connect(reservoir, point as u32, 0);
-            }
-        }
-        let mut unknowns = vec![NONE; points];
-        let (mut count, mut held, mut is_held) = (0, Vec::new(), vec![false; points + 1]);
-        for point in (0..points).filter(|&point| is_open(point)) {
+        let mut parts = Parts::new(&lattice, is_open);
+        let mut network = Network::default();
+        let mut unknowns = vec![NONE; lattice.points];
+        let mut is_held = vec![false; lattice.points + 1];
+        for point in (0..lattice.points).filter(|&point| is_open(point)) {
             let (root, _) = parts.root(point as u32);
             if parts.leads_through[root as usize] {
+                let unknown = network.places.len() as u32;
                 if ends == Ends::Periodic && !std::mem::replace(&mut is_held[root as usize], true) {
-                    held.push(count as u32);
+                    network.held.push(unknown);
                 }
-                unknowns[point] = count as u32;
-                count += 1;
+                unknowns[point] = unknown;
+                network.places.push(point as u32);
             }
         }
+        let ratio = lattice.ratio;
         let harmonic =
             |one: usize, other: usize| 2.0 * cubes[one] * cubes[other] / (cubes[one] + cubes[other]);
-        let (mut ties, mut places) = (Vec::new(), Vec::new());
-        let mut tie = |from: usize, to: usize, conductance: f64, fall: f64| {
-            let unknown = |point: usize| unknowns.get(point).copied().unwrap_or(NONE);
-            ties.push(Tie { from: unknown(from), to: unknown(to), conductance, fall });
-            places.push([from as u32, to as u32]);
+        for (unknown, point) in network.places.iter().map(|&place| place as usize).enumerate() {
+            if ends == Ends::Reservoirs && lattice.is_first(point) {
+                network.inlets.push((unknown as u32, 2.0 * ratio * cubes[point]));
+            }
+            let (next, beside) = (lattice.next(point), lattice.beside(point));
+            let (to, along) = match ends {
+                Ends::Reservoirs if lattice.is_last(point) => (NONE, 2.0 * ratio * cubes[point]),
+                _ if unknowns[next] == NONE => (NONE, 0.0),
+                _ => (unknowns[next], ratio * harmonic(point, next)),
+            };
+            network.next.push(to);
+            network.along.push(along);
+            network.beside.push(unknowns[beside]);
+            network.across.push(if unknowns[beside] == NONE { 0.0 } else { harmonic(point, beside) / ratio });
+        }
+        network
+    }
+
+    /// Number of unknowns.
+    pub(super) fn count(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Ties of the network.
+    pub(super) fn ties(&self) -> impl Iterator<Item = Tie> + '_ {
+        let inlets =
+            self.inlets.iter().map(|&(to, conductance)| Tie { from: NONE, to, conductance, fall: 0.5 });
+        let others = (0..self.count()).flat_map(|at| {
+            let (next, from) = (self.next[at], at as u32);
+            let fall = if next == NONE { 0.5 } else { 1.0 };
+            [
+                Tie { from, to: next, conductance: self.along[at], fall },
+                Tie { from, to: self.beside[at], conductance: self.across[at], fall: 0.0 },
+            ]
+        });
+        inlets.chain(others).filter(|tie| tie.conductance > 0.0)
+    }
+
+    /// Conductance from each unknown to the reservoirs.
+    pub(super) fn outlets(&self) -> Vec<f64> {
+        let mut outlets = vec![0.0; self.count()];
+        for tie in self.ties() {
+            match (tie.from, tie.to) {
+                (NONE, at) | (at, NONE) => outlets[at as usize] += tie.conductance,
+                _ => {}
+            }
+        }
+        outlets
+    }
+
+    /// Returns the ties of an unknown with others, up to four; those that are missing lead to itself.
+    pub(super) fn ties_of_points(&self) -> impl Fn(usize) -> [(u32, f64); 4] + '_ {
+        let before = |ends: &[u32]| {
+            let mut before: Vec<u32> = (0..ends.len() as u32).collect();
+            for (at, &end) in ends.iter().enumerate().filter(|(_, end)| **end != NONE) {
+                before[end as usize] = at as u32;
+            }
+            before
         };
-        for point in (0..points).filter(|&point| unknowns[point] != NONE) {
-            if ends == Ends::Reservoirs && place(point) == 0 {
-                tie(usize::MAX, point, 2.0 * ratio * cubes[point], 0.5);
-            }
-            if ends == Ends::Reservoirs && is_end(point) {
-                tie(point, usize::MAX, 2.0 * ratio * cubes[point], 0.5);
-            } else if is_open(next(point)) {
-                tie(point, next(point), ratio * harmonic(point, next(point)), 1.0);
-            }
-            if is_open(beside(point)) {
-                tie(point, beside(point), harmonic(point, beside(point)) / ratio, 0.0);
-            }
+        let (before, above) = (before(&self.next), before(&self.beside));
+        move |at| {
+            let own = at as u32;
+            let is_tied = |end: u32| if end == NONE { own } else { end };
+            [
+                (before[at], self.along[before[at] as usize]),
+                (is_tied(self.next[at]), self.along[at]),
+                (above[at], self.across[above[at] as usize]),
+                (is_tied(self.beside[at]), self.across[at]),
+            ]
         }
-        Network { unknowns, count, ties, held, along, flow_of_slot: across as f64 * ratio, direction, places }
     }
 
-    /// Returns true if no path leads through.
-    pub(super) fn is_closed(&self) -> bool {
-        self.count == 0
-    }
-
-    /// Sum of what flows out of each unknown under the mean gradient and pressures.
-    pub(super) fn outflow(&self, pressures: &[f64]) -> Vec<f64> {
-        let mut outflow = vec![0.0; self.count];
-        for tie in &self.ties {
-            let flow = self.flow_through(tie, pressures);
-            if tie.from != NONE {
-                outflow[tie.from as usize] += flow;
-            }
-            if tie.to != NONE {
-                outflow[tie.to as usize] -= flow;
-            }
-        }
+    /// Sum of what flows out of each unknown under pressures, and under the mean gradient times a factor.
+    pub(super) fn outflow(&self, pressures: &[f64], gradient: f64) -> Vec<f64> {
+        let mut outflow = vec![0.0; self.count()];
+        self.add_outflow(pressures, gradient, &mut outflow);
         outflow
     }
 
-    fn flow_through(&self, tie: &Tie, pressures: &[f64]) -> f64 {
-        let at = |unknown: u32| if unknown == NONE { 0.0 } else { pressures[unknown as usize] };
-        tie.conductance * (tie.fall + at(tie.from) - at(tie.to))
+    /// Adds what flows out of each unknown to `outflow`.
+    pub(super) fn add_outflow(&self, pressures: &[f64], gradient: f64, outflow: &mut [f64]) {
+        for &(to, conductance) in &self.inlets {
+            outflow[to as usize] -= conductance * (0.5 * gradient - pressures[to as usize]);
+        }
+        let ties = self.next.iter().zip(&self.along).zip(self.beside.iter().zip(&self.across));
+        for (at, ((&next, &along), (&beside, &across))) in ties.enumerate() {
+            let own = pressures[at];
+            let mut sum = 0.0;
+            if next != NONE {
+                let flow = along * (gradient + own - pressures[next as usize]);
+                sum += flow;
+                outflow[next as usize] -= flow;
+            } else {
+                sum += along * (0.5 * gradient + own);
+            }
+            if beside != NONE {
+                let flow = across * (own - pressures[beside as usize]);
+                sum += flow;
+                outflow[beside as usize] -= flow;
+            }
+            outflow[at] += sum;
+        }
+    }
+
+    /// Norm of the flow under the mean gradient alone: the scale of residuals.
+    pub(super) fn driven(&self) -> f64 {
+        self.ties().map(|tie| (tie.conductance * tie.fall).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Power that the flow dissipates under pressures and the mean gradient.
+    pub(super) fn power(&self, pressures: &[f64]) -> f64 {
+        self.ties().map(|tie| flow_through(&tie, pressures).powi(2) / tie.conductance).sum()
     }
 
     /// Flow under pressures. Its factor is the dissipated power, whose error is of second order in that of the pressures.
-    pub(super) fn flow(&self, pressures: &[f64]) -> Flow {
-        let outflow = self.outflow(pressures);
-        // Flow of the mean gradient alone through each tie.
-        let driven: Vec<f64> = self.ties.iter().map(|tie| tie.conductance * tie.fall).collect();
-        let norm = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>().sqrt();
-        let power: f64 =
-            self.ties.iter().map(|tie| self.flow_through(tie, pressures).powi(2) / tie.conductance).sum();
-        let flow_factor = power / self.along as f64 / self.flow_of_slot;
-        let points = self.unknowns.len();
-        let mut flux = vec![[0.0; 2]; points];
-        for (tie, places) in self.ties.iter().zip(&self.places) {
-            let is_along_x = (tie.fall > 0.0) == (self.direction == Direction::X);
-            let flow = 0.5 * self.flow_through(tie, pressures);
-            for &place in places.iter().filter(|&&place| (place as usize) < points) {
-                flux[place as usize][usize::from(!is_along_x)] += flow;
+    pub(super) fn flow(&self, pressures: &[f64], lattice: &Lattice, iterations: usize) -> Flow {
+        let outflow = self.outflow(pressures, 1.0);
+        let flow_factor = self.power(pressures) / lattice.power_of_slot();
+        let mut flux = vec![[0.0; 2]; lattice.points];
+        let mean = flow_factor * lattice.power_of_slot() / lattice.points as f64;
+        for tie in self.ties() {
+            let is_along_x = (tie.fall > 0.0) == (lattice.direction == Direction::X);
+            let flow = 0.5 * flow_through(&tie, pressures) / mean;
+            for unknown in [tie.from, tie.to].into_iter().filter(|&unknown| unknown != NONE) {
+                flux[self.places[unknown as usize] as usize][usize::from(!is_along_x)] += flow;
             }
         }
-        let residual = norm(&outflow) / norm(&driven);
-        let mean = flow_factor * self.flow_of_slot / points as f64 * self.along as f64;
-        flux.iter_mut().flatten().for_each(|flow| *flow /= mean);
-        Flow { flow_factor, residual, iterations: 0, flux }
+        let residual = norm(&outflow) / self.driven();
+        Flow { flow_factor, residual, iterations, flux }
     }
+}
+
+/// Flow through a tie under pressures and the mean gradient.
+fn flow_through(tie: &Tie, pressures: &[f64]) -> f64 {
+    let at = |unknown: u32| if unknown == NONE { 0.0 } else { pressures[unknown as usize] };
+    tie.conductance * (tie.fall + at(tie.from) - at(tie.to))
+}
+
+/// Euclidean norm.
+pub(super) fn norm(values: &[f64]) -> f64 {
+    values.iter().map(|value| value * value).sum::<f64>().sqrt()
 }
