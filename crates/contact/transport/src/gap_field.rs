@@ -78,6 +78,23 @@ impl<'g> GapField<'g> {
         let points = self.grid.points();
         (0..points).filter(|&point| self.gap_m(point) == 0.0).count() as f64 / points as f64
     }
+
+    /// The field of every second point, from the first or second along both sides; the last of an odd number is left out. None for
+    /// fields less than four points wide or long.
+    pub(crate) fn every_second(&self, offset: usize) -> Option<GapField<'static>> {
+        let (rows, columns) = (self.grid.rows() / 2, self.grid.columns() / 2);
+        if rows < 2 || columns < 2 {
+            return None;
+        }
+        let share = |half: usize, all: usize| (2 * half) as f64 / all as f64;
+        let length_x_m = share(columns, self.grid.columns()) * self.grid.length_x_m();
+        let length_y_m = share(rows, self.grid.rows()) * self.grid.length_y_m();
+        let grid = Grid::new(rows, columns, length_x_m, length_y_m).ok()?;
+        let point =
+            |at: usize| (2 * (at / columns) + offset) * self.grid.columns() + 2 * (at % columns) + offset;
+        let gaps_m: Vec<f64> = (0..rows * columns).map(|at| self.gap_m(point(at))).collect();
+        GapField::new(grid, gaps_m).ok()
+    }
 }
 
 fn is_open(gap_m: f64) -> bool {

@@ -149,6 +149,34 @@ pub fn solve_by(
     network.solve(&Lattice::new(gap.grid(), direction, ends), method, progress)
 }
 
+/// Estimates the error of the factor of a flow that comes from the spacing of the points: its distance from the mean of the flows
+/// through two fields of every second point, over the mean gap of the whole, plus half their difference. It costs about half a
+/// solution.
+///
+/// Errors are of first order in the spacing, because contact ends between points: as much is left as half the spacing would change.
+/// On 14 pressed random surfaces with two to four points to the shortest wave, whose limit is known from four times as many points, it
+/// is 0.8 to 1.9 times the error for A up to 0.31, and 1.4 to 11 times from there to 0.37. None for a field less than four points wide
+/// or long.
+///
+/// # Errors
+/// As [`solve`].
+pub fn spacing_error(
+    flow_factor: f64,
+    gap: &GapField<'_>,
+    direction: Direction,
+    ends: Ends,
+    progress: &dyn Progress,
+) -> Result<Option<f64>, FlowError> {
+    let mut factors = [0.0; 2];
+    for (offset, factor) in factors.iter_mut().enumerate() {
+        let Some(coarse) = gap.every_second(offset) else { return Ok(None) };
+        let solved = solve(&coarse, direction, ends, &NestedProgress(progress))?;
+        *factor = solved.flow_factor * (coarse.mean_gap_m() / gap.mean_gap_m()).powi(3);
+    }
+    let [one, other] = factors;
+    Ok(Some((flow_factor - 0.5 * (one + other)).abs() + 0.5 * (one - other).abs()))
+}
+
 /// Pressures that take up a load, and the power that they take away from the flow.
 struct Correction {
     pressures: Vec<f64>,

@@ -4,7 +4,9 @@ use elements::half_space::Grid;
 use numerics::parallel::{Progress, Unobserved};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use transport::GapField;
-use transport::flow::{Direction, Ends, Flow, FlowError, Method, PROGRESS_STEPS, solve, solve_by};
+use transport::flow::{
+    Direction, Ends, Flow, FlowError, Method, PROGRESS_STEPS, solve, solve_by, spacing_error,
+};
 
 const BOTH: [Direction; 2] = [Direction::X, Direction::Y];
 const ALL_ENDS: [Ends; 2] = [Ends::Periodic, Ends::Reservoirs];
@@ -232,6 +234,32 @@ fn isotropic_log_normal_conductances_have_their_geometric_mean() {
         }
         assert!((sum - 1.0).abs() < 0.03, "{deviation}: {sum}");
     }
+}
+
+#[test]
+fn the_error_of_the_spacing_is_that_to_a_finer_field() {
+    let points = 256;
+    let heights = heights(points, 0.25, 1.0 / 16.0, 3);
+    let gaps_m: Vec<f64> = heights.iter().map(|height| (height + 0.8).max(0.0).powf(1.5)).collect();
+    let on = |step: usize| -> (f64, f64) {
+        let side = points / step;
+        let coarse: Vec<f64> =
+            (0..side * side).map(|at| gaps_m[at / side * step * points + at % side * step]).collect();
+        let gap = GapField::new(Grid::new(side, side, 1.0, 1.0).unwrap(), &coarse).unwrap();
+        let flow = solve(&gap, Direction::X, Ends::Periodic, &Unobserved).unwrap();
+        let error = spacing_error(flow.flow_factor, &gap, Direction::X, Ends::Periodic, &Unobserved);
+        let through = gap.mean_gap_m().powi(3);
+        (flow.flow_factor * through, error.unwrap().unwrap() * through)
+    };
+    let (fine, _) = on(1);
+    let (coarse, error) = on(4);
+    assert!((coarse - fine).abs() < error && error < 4.0 * (coarse - fine).abs(), "{fine} {coarse} {error}");
+    // No error without contact or variation; none known of three points.
+    let slot = GapField::new(grid(8, 9), vec![1e-6; 72]).unwrap();
+    let error = spacing_error(1.0, &slot, Direction::Y, Ends::Reservoirs, &Unobserved).unwrap().unwrap();
+    assert!(error < 1e-12);
+    let line = GapField::new(grid(3, 9), vec![1e-6; 27]).unwrap();
+    assert_eq!(spacing_error(1.0, &line, Direction::Y, Ends::Reservoirs, &Unobserved).unwrap(), None);
 }
 
 #[test]
