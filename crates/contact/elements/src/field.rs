@@ -59,17 +59,32 @@ impl ContactField<'_> {
         })
     }
 
+    /// Returns the gap \[m\] at every point, row by row: 0 where the surfaces touch elastically, which the solver reaches within its
+    /// tolerance; negative where they have yielded; infinite at missing points.
+    #[must_use]
+    pub fn closed_gaps_m(&self) -> Vec<f64> {
+        let gaps_m = self.gaps_m.iter().zip(self.states());
+        gaps_m
+            .map(|(&gap_m, state)| match state {
+                PointState::Open => gap_m,
+                PointState::Touching => 0.0,
+                PointState::Yielding => gap_m.min(0.0),
+            })
+            .collect()
+    }
+
     /// Writes the field as NetCDF classic in the layout of contact.engineering: dimensions `y` and `x` with their
-    /// coordinates, the variables `heights`, `pressure` and `gap` over both, and the attributes
+    /// coordinates, the variables `heights`, `pressure` and [`gap`](Self::closed_gaps_m) over both, and the attributes
     /// `nominal_pressure_pa`, `contact_modulus_pa` and `boundary`. Heights and gaps of missing points are NaN, which readers of NetCDF
-    /// take for missing.
+    /// take for missing. Further variables over both are numbers without a unit, by their names.
     ///
     /// # Errors
     /// The errors of `out`.
-    pub fn write_netcdf(&self, out: &mut dyn Write) -> io::Result<()> {
+    pub fn write_netcdf(&self, further: &[(&'static str, Vec<f64>)], out: &mut dyn Write) -> io::Result<()> {
         let Relief { rows, columns, length_x_m, length_y_m, boundary, ref heights_m, ref is_missing } =
             *self.relief;
-        let [heights_m, gaps_m] = [heights_m, self.gaps_m].map(|values_m| with_nan(values_m, is_missing));
+        let gaps_m = self.closed_gaps_m();
+        let [heights_m, gaps_m] = [heights_m, &gaps_m].map(|values_m| with_nan(values_m, is_missing));
         // The unit under the names of contact.engineering, whose layout this is, and of the CF conventions.
         let in_unit = |unit: &str| {
             ["unit", "units"]
@@ -99,13 +114,16 @@ impl ContactField<'_> {
                 ("contact_modulus_pa", Attribute::Number(self.contact_modulus_pa)),
                 ("boundary", Attribute::Text(boundary.to_string())),
             ],
-            variables: vec![
+            variables: [
                 coordinate("y", 0, rows, length_y_m),
                 coordinate("x", 1, columns, length_x_m),
                 over_both("heights", "m", heights_m),
                 over_both("pressure", "Pa", Cow::Borrowed(self.pressures_pa)),
                 over_both("gap", "m", gaps_m),
-            ],
+            ]
+            .into_iter()
+            .chain(further.iter().map(|(name, values)| over_both(name, "1", Cow::Borrowed(&values[..]))))
+            .collect(),
         };
         file.write(out)
     }

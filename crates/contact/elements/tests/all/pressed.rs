@@ -176,7 +176,7 @@ fn fields_are_read_back_as_they_were_written() {
     let written = Mutex::new(Vec::new());
     let heights = Mutex::new(Vec::new());
     let see = |field: &ContactField<'_>| -> Result<(), ElementsError> {
-        field.write_netcdf(&mut *written.lock().unwrap()).unwrap();
+        field.write_netcdf(&[], &mut *written.lock().unwrap()).unwrap();
         *heights.lock().unwrap() = field.relief.heights_m.clone();
         Ok(())
     };

@@ -269,7 +269,7 @@ fn holes_of_a_periodic_map_stay_open() {
                 .all(|(gap_m, is_missing)| gap_m.is_finite() != *is_missing)
         );
         let mut file = Vec::new();
-        field.write_netcdf(&mut file).unwrap();
+        field.write_netcdf(&[], &mut file).unwrap();
         Ok(())
     };
     press::<ElementsError>(&Surfaces::Maps(vec![disc.clone()]), &at_pressure(2e8), see, &Unobserved).unwrap();
