@@ -1,5 +1,5 @@
 //! Scans in NetCDF classic files, in the layout of contact.engineering: a variable `heights` over `x` and `y`, `x`
-//! alone, or `n` with the positions in `x`.
+//! alone, or `n` with the positions in `x`. The gap of a pressed surface is a variable `gap` in the same layout.
 
 mod classic;
 mod cursor;
@@ -38,14 +38,15 @@ fn recognises(bytes: &[u8]) -> bool {
     bytes.starts_with(b"CDF") && bytes.get(3).is_some_and(|version| *version < b' ')
 }
 
-/// The one channel, `heights`; the index of a row is that of `y`.
+/// The one channel, `heights` unless the gap is asked for; the index of a row is that of `y`.
 fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b>>, ScanReadError> {
     let file = Classic::read(bytes)?;
-    let Some(variable) = file.variable("heights") else {
+    let name = if options.channel.as_deref() == Some("gap") { "gap" } else { "heights" };
+    let Some(variable) = file.variable(name) else {
         let names = file.variables.iter().map(|variable| variable.name.to_string()).collect();
         return Err(ScanReadError::NoChannel {
             format: FORMAT,
-            wanted: "variable 'heights', the only one read as such".to_owned(),
+            wanted: format!("variable '{name}'"),
             channels: names,
         });
     };
@@ -85,7 +86,7 @@ fn channels<'b>(bytes: &'b [u8], options: &ScanOptions) -> Result<Vec<Channel<'b
         tip_radius_m: length_m("tip_radius"),
         resolution_m: length_m("resolution"),
         notes,
-        ..Channel::new(Some("heights".to_owned()), Quantity::HEIGHTS_IN_M, lateral, samples)
+        ..Channel::new(Some(name.to_owned()), Quantity::HEIGHTS_IN_M, lateral, samples)
     }])
 }
 
