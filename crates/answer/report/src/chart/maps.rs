@@ -7,7 +7,7 @@ use std::ops::Range;
 use elements::ContactField;
 use scans::{Measure, MeasuredScan, ScanFile};
 use units::LengthUnit;
-use units::display::{length, pressure, three_digits};
+use units::display::{length, percent, pressure, three_digits};
 
 use super::canvas::{Point, Rect, escaped, path};
 use super::palette::{MISSING, map_colour};
@@ -27,6 +27,8 @@ const MOST_POINTS: usize = 1024;
 /// The share of the points at either end of the values beyond the colours, so that a spike does not leave one colour to
 /// the rest.
 const BEYOND: f64 = 0.002;
+/// The flow over its mean that has the first colour, as has any smaller one.
+const LEAST_FLOW: f64 = 0.01;
 /// Classes of a histogram.
 const CLASSES: usize = 64;
 /// Sizes of panels in px: of a line, and of one of several panels beside a map.
@@ -81,6 +83,32 @@ impl FieldPicture {
         let title = format!("gap at {}", pressure(field.nominal_pressure_pa));
         let relief = field.relief;
         Self::of_values(&title, &open_m, 0.0, [relief.length_x_m, relief.length_y_m], relief.columns, length)
+    }
+
+    /// Draws the flow along an axis through each point of a gap \[m\], perhaps under a nominal pressure: logarithms of the flow over its
+    /// mean, grey where the gap is closed, white where nothing flows.
+    #[must_use]
+    pub fn of_flow(
+        axis: &str,
+        nominal_pressure_pa: Option<f64>,
+        flux: &[[f64; 2]],
+        gaps_m: &[f64],
+        columns: usize,
+        size_m: [f64; 2],
+    ) -> Self {
+        let flow = |at: usize| flux.get(at).map_or(0.0, |[x, y]| x.hypot(*y));
+        let largest = (0..flux.len()).map(flow).fold(1.0, f64::max);
+        let colour_of = |(at, gap_m): (usize, &f64)| match flow(at) {
+            _ if !(*gap_m > 0.0 && gap_m.is_finite()) => MISSING,
+            0.0 => [255; 3],
+            flow => map_colour((flow / LEAST_FLOW).ln() / (largest / LEAST_FLOW).ln()),
+        };
+        let colours = gaps_m.iter().enumerate().map(colour_of).collect();
+        let load = nominal_pressure_pa.map_or_else(String::new, |pa| format!(" at {}", pressure(pa)));
+        let title = format!("flow along {axis}{load} (grey: contact)");
+        let ends =
+            [format!("{} of its mean", percent(LEAST_FLOW)), format!("{} times", three_digits(largest))];
+        Self::new(&title, size_m, [&ends[0], &ends[1]], columns, colours, None)
     }
 
     /// Colours values above `nothing` up to the largest finite one, on a rectangle of a size in m.
