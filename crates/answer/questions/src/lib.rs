@@ -9,6 +9,8 @@ mod counts;
 mod curve;
 mod elements;
 mod error;
+#[cfg(feature = "transport")]
+pub mod flow;
 mod gap;
 mod indenter;
 mod layer;

@@ -233,6 +233,8 @@ fn every_name_of_a_choice_is_unique() {
         "Conventions": Conventions, "Template": Template, "Branch": BranchChoice,
         "Compliance": elements::SpecimenCompliance,
     );
+    #[cfg(feature = "transport")]
+    add!("FlowEdges": questions::flow::FlowEdges);
     // Checks that were passed are not shown.
     known.insert("NoteLevel", RemarkLevel::ALL[1..].iter().map(|level| level.name()).collect());
     for names in known.values() {

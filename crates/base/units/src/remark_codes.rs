@@ -315,6 +315,15 @@ remark_codes! {
          shortest wavelength";
     RoundedResidual "pressed" Note "at {loads} rounding kept the residual above the tolerance";
     ClosedPaths "pressed" Note "contact closes the paths from edge to edge: {paths}";
+    FlowPaths "pressed.flow" Note "paths of the flow: {paths}";
+    FlowInChannel "pressed.flow" Note
+        "the edges are free: fluid flows from edge to edge, and the other two edges are walls; {--flow_edges=reservoirs} opens the sides \
+         to each other, {--flow_edges=periodic} takes the map to repeat itself";
+    GapTakenPeriodic "flow.edges" Note
+        "nothing says that the gap repeats itself: it is taken to, in both directions; {--edges=channel} lets fluid flow from edge to edge \
+         between walls";
+    ClosedGaps "flow.closed" Note
+        "{closed} of {points} points are closed[, {missing} of them because they are missing][, {tiny} with a gap below 1e-5 of the mean gap]";
     BallCoarseGrid "ball.coarse-grid" Note
         "Hertz's radius has {points_per_radius} points of the grid, and 8 are needed for an answer";
     BallNarrowMap "ball.narrow-map" Note

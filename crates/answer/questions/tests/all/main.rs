@@ -5,6 +5,8 @@ mod bodies;
 mod common;
 mod curves;
 mod elements;
+#[cfg(feature = "transport")]
+mod flow;
 mod indenters;
 mod laws;
 mod rows;
