@@ -2,6 +2,7 @@
 
 mod bem;
 mod figure_files;
+mod flow;
 mod gap;
 mod groups;
 mod layer;
@@ -12,6 +13,7 @@ mod scans;
 
 pub(crate) use bem::BemArgs;
 pub(crate) use figure_files::FigureFilesArgs;
+pub(crate) use flow::FlowArgs;
 pub(crate) use gap::{GapArgs, LawArgs, TangentialArgs};
 pub(crate) use groups::{
     AmplitudeArg, BodiesArgs, CounterfaceArgs, CounterfaceSurfaceArgs, FigureArg, HardnessFormulaArg,
@@ -216,9 +218,11 @@ area_fraction_extrapolated (what a finer grid would show), standard_error,
 plastic_area_fraction, mean_gap_m, mean_plastic_depth_m, largest_pressure_pa,
 stiffness_pa_per_m, iterations, residual, plastic_area_fraction_corrected,
 open_along_x and open_along_y (share of the surfaces that points not in contact
-lead across, from edge to edge); a row per load, the mean of all surfaces. With
---per-realisation a row for each surface, and the column realisation behind the
-first.
+lead across, from edge to edge, with --flow as the fluid meets the edges); a row
+per load, the mean of all surfaces. With --per-realisation a row for each
+surface, and the column realisation behind the first. --flow adds flow_factor_x,
+flow_factor_y, their standard deviations over the surfaces (_sd), their errors
+by the spacing of the points (_error), and flow_residual.
 
 A map is pressed as scanned, less the trend that `psd` subtracts. Of a spectrum
 as many surfaces are made as --realisations asks for, the same ones for a seed
@@ -230,6 +234,21 @@ Examples:
   truearea bem psd.csv --shortest 100nm --pressures 1MPa:1GPa:7 \\
       --youngs-modulus 463GPa --poisson-ratio 0.2 --figure area.svg")]
     Bem(Box<BemArgs>),
+    /// Flow through a gap, point by point: flow factors along x and along y
+    #[command(after_help = "\
+Solves div(g^3 grad p) = 0 (Reynolds) with the gap g of every point. Columns:
+flow_factor_x, flow_factor_y (the flow over that of a parallel slot of the mean
+gap; 0 where no path leads through), mean_gap_m, closed_fraction (share of the
+points in contact), open_along_x and open_along_y (1 or 0), residual,
+iterations. A fluid of viscosity eta flows at flow_factor mean_gap^3/(12 eta)
+per width and pressure gradient.
+
+Examples:
+  truearea bem psd.csv --pressure 10MPa --youngs-modulus 463GPa \\
+      --poisson-ratio 0.2 --fields fields
+  truearea flow fields/load-1-surface-1.nc --figure flow.png
+  truearea flow gap.npy --unit m --size 1mm --edges reservoirs")]
+    Flow(FlowArgs),
     /// List the channels of heights in instrument files, one row each
     #[command(after_help = "\
 Columns: file, format, channel, points_x, points_y, size_x_m, size_y_m,

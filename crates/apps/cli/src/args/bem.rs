@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use elements::{Boundary, RandomChoices, SpecimenCompliance};
 use measurements::ScanRequest;
+use questions::flow::FlowEdges;
 use questions::{BranchChoice, LoadInput, MaterialInput, RandomInput};
 use spectrum::random_surfaces::Phases;
 use study::measured::Kind;
@@ -19,8 +20,17 @@ use super::scans::{FileDefaults, MapTreatmentArgs};
 
 /// Options that count no adhesion. clap demands no required option that conflicts with a given one, so that each option of
 /// adhesion conflicts with these itself.
-const NOT_ADHESIVE: [&str; 7] =
-    ["saturation", "ball_radius", "force", "cylinder_radius", "force_per_length", "fields", "patches"];
+const NOT_ADHESIVE: [&str; 9] = [
+    "saturation",
+    "ball_radius",
+    "force",
+    "cylinder_radius",
+    "force_per_length",
+    "fields",
+    "patches",
+    "flow",
+    "flow_edges",
+];
 
 /// A surface, how it is pressed, and what is written.
 #[derive(Debug, ClapArgs)]
@@ -71,6 +81,13 @@ pub(crate) struct BemArgs {
     /// A folder for pressures and gaps of every surface under every load, as NetCDF and as pictures; made where absent
     #[arg(long, value_name = "DIR")]
     pub fields: Option<PathBuf>,
+    /// Solve the flow through the gap along x and along y, with columns flow_factor_x and flow_factor_y; --fields draws it
+    #[arg(long, conflicts_with_all = ["ball_radius", "cylinder_radius"])]
+    pub flow: bool,
+    /// Edges that the flow meets: periodic, where the surface repeats itself in both directions; reservoirs at two edges, the sides
+    /// repeat themselves; channel, reservoirs and walls. By default periodic, and channel where edges are free
+    #[arg(long, value_name = "KIND", requires = "flow", conflicts_with_all = ["ball_radius", "cylinder_radius"], value_parser = one_of::<FlowEdges, _>(FlowEdges::ALL))]
+    pub flow_edges: Option<FlowEdges>,
     /// A file for a table of contact patches, the regions that touch without a break, with area and perimeter of each
     #[arg(long, value_name = "FILE")]
     pub patches: Option<PathBuf>,

@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::{ScanProblem, ScanRequest, TopographyError};
+use questions::flow::{GapFlow, PressedFlow};
 use questions::{
     AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Prepared, QuestionError,
     relief_of_map,
@@ -67,22 +68,27 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
     let progress = Progress::towards(prepared.steps(), "steps");
     let files = Mutex::new(StagedFiles::default());
     let patches = Mutex::new(Vec::new());
+    let flow = args.flow.then(|| PressedFlow::new(args.flow_edges, &prepared.surfaces)).transpose()?;
     let see = |field: &ContactField<'_>| {
         if args.patches.is_some() {
             let found = field.patches().map_err(ElementsError::from)?;
             patches.lock().unwrap_or_else(PoisonError::into_inner).push(found);
         }
+        let flow = flow.as_ref().map(|flow| flow.solve(field, &progress)).transpose()?;
         match &fields {
-            Some(fields) => fields.stage(field, &files),
+            Some(fields) => fields.stage(field, flow, &files),
             None => Ok(()),
         }
     };
-    let (pressed, notes) = prepared.answer::<Failure>(see, &progress)?;
+    let (mut pressed, mut notes) = prepared.answer::<Failure>(see, &progress)?;
     drop(progress);
     timings.lap("pressing");
+    let table = match flow {
+        Some(flow) => flow.table(&mut pressed, &mut notes, args.per_realisation),
+        None if args.per_realisation => elements::states_table(&pressed),
+        None => elements::means_table(&pressed),
+    };
     say_all(&notes, &Flags);
-    let table =
-        if args.per_realisation { elements::states_table(&pressed) } else { elements::means_table(&pressed) };
     let mut files = files.into_inner().unwrap_or_else(PoisonError::into_inner);
     if let Some(picture) = &args.figure.figure {
         let figure = elements_figure::area_against_load(&pressed);
@@ -303,10 +309,26 @@ impl FieldFiles {
         Ok(FieldFiles { folder: folder.to_owned(), _made: new_folder("--fields", folder)? })
     }
 
-    /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures.
-    fn stage(&self, field: &ContactField<'_>, files: &Mutex<StagedFiles>) -> Result<(), Failure> {
+    /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures, with the flow four.
+    fn stage(
+        &self,
+        field: &ContactField<'_>,
+        flow: Option<GapFlow>,
+        files: &Mutex<StagedFiles>,
+    ) -> Result<(), Failure> {
         let stem = format!("load-{}-surface-{}", field.load + 1, field.surface + 1);
-        let pictures = [("pressure", FieldPicture::of_pressure(field)), ("gap", FieldPicture::of_gap(field))];
+        let mut pictures =
+            vec![("pressure", FieldPicture::of_pressure(field)), ("gap", FieldPicture::of_gap(field))];
+        let further = flow.iter().flat_map(|flow| flow.variables(field.gaps_m.len())).collect::<Vec<_>>();
+        if let Some(GapFlow { along_x, along_y, .. }) = &flow {
+            let Relief { columns, length_x_m, length_y_m, .. } = *field.relief;
+            let (load, gaps_m) = (Some(field.nominal_pressure_pa), field.closed_gaps_m());
+            for (axis, name, flow) in [("x", "flow-x", along_x), ("y", "flow-y", along_y)] {
+                let size_m = [length_x_m, length_y_m];
+                let picture = FieldPicture::of_flow(axis, load, &flow.flux, &gaps_m, columns, size_m);
+                pictures.push((name, picture));
+            }
+        }
         let mut contents = Vec::new();
         for (what, picture) in pictures {
             if let Some(bytes) = png_of_field(&picture).map_err(|error| Failure::System(error.to_string()))? {
@@ -314,7 +336,7 @@ impl FieldFiles {
             }
         }
         let mut netcdf = Vec::new();
-        field.write_netcdf(&mut netcdf).map_err(|error| Failure::writing(&stem, &error))?;
+        field.write_netcdf(&further, &mut netcdf).map_err(|error| Failure::writing(&stem, &error))?;
         contents.push((format!("{stem}.nc"), netcdf));
         let mut files = files.lock().unwrap_or_else(PoisonError::into_inner);
         for (name, bytes) in contents {

@@ -3,6 +3,7 @@
 mod bem;
 mod completions;
 mod figure;
+mod flow;
 mod gap;
 mod law;
 mod man_pages;
@@ -71,6 +72,7 @@ pub fn run(args: Args, typed: &[String]) -> Result<(), Failure> {
         Command::Moments(args) => spectrum_tables::moments(&args, &context),
         Command::Amplitude(args) => spectrum_tables::amplitude(&args, &context),
         Command::Bem(args) => bem::run(&args, &context),
+        Command::Flow(args) => flow::run(&args, &context),
         Command::Gap(args) => gap::run(&args, &context),
         Command::Tangential(args) => tangential::run(&args, &context),
         Command::Law(args) => law::run(&args, &context),

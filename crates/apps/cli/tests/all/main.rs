@@ -8,6 +8,7 @@ mod conductance;
 #[cfg(unix)]
 mod documentation;
 mod faces;
+mod flow;
 mod gap;
 mod help;
 mod idle;

@@ -36,6 +36,7 @@ const COMMANDS: &[&str] = &[
     "psd FILE map.txt:unit=um,size=10um",
     "psd FILE --per-scan",
     "psd FILE --areal",
+    "flow FILE",
     "bem FILE --youngs-modulus 200GPa --poisson-ratio 0.3 --pressure 50MPa",
     "report FILE --material silver --pressure 50MPa --out o",
     "report FILE map.txt:unit=um,size=10um --material silver --pressure 50MPa --out o",

@@ -28,6 +28,11 @@ const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
         "the model needs it, and light loads are those of the elastic theory",
     ),
     ("--form exponential", "indentation_hardness", "likewise"),
+    (
+        "flow in/map.txt",
+        "size",
+        "flow factors have no size where points are evenly spaced in both directions",
+    ),
 ];
 
 /// Bodies: elastic, yielding by each property, growing, named, against another body, under a layer.
@@ -93,6 +98,13 @@ const WALKS: &[Walk] = &[
     ),
     ("bem", "psd.csv --grid 32 --realisations 1 --shortest 2um", &[BODIES, PRESSED]),
     ("bem", "map.txt --unit um --size 10um", &[BODIES, PRESSED]),
+    (
+        "bem",
+        "map.txt --unit um --size 10um --material silver --pressure 50MPa --flow",
+        &[&["", "--boundary periodic"]],
+    ),
+    ("flow", "in/map.txt:unit=um,size=10um", &[]),
+    ("flow", "in/map.txt", &[&["--unit um --size 10um"]]),
     ("scan", "in/trace.txt:unit=um", &[]),
     ("scan", "in/named.txt map.txt:unit=um,size=10um", &[&["", "--figure f.svg"]]),
     ("scan", "two.001", &[&["", "--channel Phase"]]),
