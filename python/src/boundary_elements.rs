@@ -4,10 +4,12 @@ use std::sync::{Mutex, PoisonError};
 
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, SpecimenCompliance, with_nan};
 use measurements::PartialMap;
+use numerics::parallel::Progress;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
+use questions::flow::{FlowEdges, PressedFlow};
 use questions::{
     AdhesionQuestion, BranchChoice, ElementsLoad, ElementsQuestion, IndenterQuestion, LoadInput, Prepared,
     QuestionError, relief,
@@ -275,30 +277,40 @@ pub fn press_flat<'py>(
     let room = || PyResult::Ok(Mutex::new([zeros(of_loads)?, zeros(of_loads)?, zeros(of_surfaces)?]));
     let fields = arguments.flag("fields")?.then(room).transpose()?;
     let patches = arguments.flag("patches")?.then(|| Mutex::new(Vec::new()));
-    let see = |field: &ContactField<'_>| -> Result<(), ElementsError> {
+    let edges = arguments.get("flow_edges", choice::<FlowEdges>)?;
+    let flow = match (arguments.flag("flow")?, edges) {
+        (true, edges) => Some(PressedFlow::new(edges, surfaces).map_err(refused)?),
+        (false, None) => None,
+        (false, Some(_)) => return Err(input("flow_edges has no effect without flow=True; leave it out")),
+    };
+    let see = |field: &ContactField<'_>, watch: &dyn Progress| -> Result<(), QuestionError> {
+        if let Some(flow) = &flow {
+            flow.solve(field, watch)?;
+        }
         if let Some(fields) = &fields {
             let [pressures_pa, gaps_m, heights_m] = &mut *held(fields);
             let at = points * (field.load * count + field.surface);
             pressures_pa[at..at + points].copy_from_slice(field.pressures_pa);
             let is_missing = &field.relief.is_missing;
-            gaps_m[at..at + points].copy_from_slice(&with_nan(field.gaps_m, is_missing));
+            gaps_m[at..at + points].copy_from_slice(&with_nan(&field.closed_gaps_m(), is_missing));
             let at = points * field.surface;
             heights_m[at..at + points].copy_from_slice(&with_nan(&field.relief.heights_m, is_missing));
         }
         if let Some(patches) = &patches {
-            let found = field.patches()?;
+            let found = field.patches().map_err(ElementsError::from)?;
             held(patches).push(found);
         }
         Ok(())
     };
     let pressed = carry_out(py, observer, |watch| {
         watch.begin("steps", Some(prepared.steps()));
-        prepared.answer(see, watch)
+        prepared.answer(|field| see(field, watch), watch)
     })?;
-    let (loads, notes) = pressed.map_err(|error| refused(error.into()))?;
-    let table = match bodies.are_reported_each(&arguments)? {
-        true => elements::states_table(&loads),
-        false => elements::means_table(&loads),
+    let (mut loads, mut notes) = pressed.map_err(refused)?;
+    let table = match (flow, bodies.are_reported_each(&arguments)?) {
+        (Some(flow), of_each) => flow.table(&mut loads, &mut notes, of_each),
+        (None, true) => elements::states_table(&loads),
+        (None, false) => elements::means_table(&loads),
     };
     let fields = fields.map(|fields| {
         let [pressures_pa, gaps_m, heights_m] = fields.into_inner().unwrap_or_else(PoisonError::into_inner);

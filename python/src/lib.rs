@@ -7,6 +7,7 @@ mod boundary_elements;
 mod contact;
 mod curves;
 mod errors;
+mod flow;
 mod law;
 mod material;
 mod names;
@@ -29,6 +30,7 @@ mod _native {
         contact::contact_states,
         curves::{curve, gaps, tangential},
         errors::InputError,
+        flow::{flow_of_gap, flow_picture},
         law::PyFoundLaw,
         material::PyMaterial,
         names::{materials_table, models_table, pressure_in_words, way_out},

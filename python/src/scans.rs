@@ -28,10 +28,10 @@ use crate::surface::PySurface;
 use crate::work::{carry_out, light};
 
 /// Files that were read already, under their names.
-type HeldFiles = BTreeMap<String, PyBackedBytes>;
+pub type HeldFiles = BTreeMap<String, PyBackedBytes>;
 
 /// Options of a scan by their names, each with its argument and its value.
-type Options<'py> = BTreeMap<String, (String, Given<'py>)>;
+pub type Options<'py> = BTreeMap<String, (String, Given<'py>)>;
 
 /// Heights of an array, and which of them do not count.
 #[derive(FromPyObject)]
@@ -271,7 +271,7 @@ pub fn channels_of<'py>(
 }
 
 /// Builds the request for a scan from its options.
-fn request(path: String, options: Options<'_>) -> PyResult<ScanRequest> {
+pub fn request(path: String, options: Options<'_>) -> PyResult<ScanRequest> {
     with_options(ScanRequest { path, ..ScanRequest::default() }, options)
 }
 
@@ -313,7 +313,7 @@ fn recipe_of(arguments: &Arguments<'_>) -> PyResult<Recipe> {
 }
 
 /// Converts an error of scans, with the argument that mends it; `argument` is the list that holds the scans.
-fn refused(error: &TopographyError, argument: &str) -> PyErr {
+pub fn refused(error: &TopographyError, argument: &str) -> PyErr {
     let place = match error.request {
         Some(at) if !argument.is_empty() => format!("{argument}[{at}]: "),
         _ => String::new(),

@@ -204,10 +204,12 @@ def walks() -> Walks:
                     SURFACES,
                     bodies(),
                     {"": dict(pressure="50 MPa"), "flows": dict(pressure="50 MPa", saturation="200 MPa")}
-                    | {"held": dict(mean_gap="40 nm"), "moved": dict(indentation="20 nm")},
+                    | {"held": dict(mean_gap="40 nm"), "moved": dict(indentation="20 nm")}
+                    | {"leaks": dict(pressure="50 MPa", flow=True)},
                 ],
             )
         ],
+        "flow": [({}, [{"array": dict(gap=MAP + 1e-6, size="10 um"), "gap file": dict(gap="map.txt", unit="um", size="10 um")}])],
         "ball": [(dict(radius="500 um", force="500 uN"), [{name: SURFACES[name] for name in ("spectrum", "free map")}, bodies()])],
         "adhesion": [
             (dict(pressure="50 MPa", **ATTRACTION), [PERIODIC, bodies(), words(branch=ta.choices.Branch)]),
@@ -311,6 +313,7 @@ VALUES: dict[str, list[Any]] = {
     "surface of heights": [2 * MAP, 3 * MAP],
     "surface of a file": ["trace.txt", "named.txt"],
     "h": [2 * MAP, TRACE],
+    "gap": [MAP + 2e-6, 2 * MAP + 2e-6],
     "scans": [[(2 * MAP, "10 um")], [(3 * MAP, "10 um"), (MAP, "10 um")]],
     "material": [steel(yield_strength="50 MPa"), ta.Material("70 GPa", 0.2, indentation_hardness="700 MPa")],
     "counterface": [ta.Material("silver"), ta.Material("210 GPa", 0.3)],

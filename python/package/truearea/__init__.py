@@ -11,6 +11,7 @@ from truearea._choices import CurveModel, GapModel, LawModel, PerssonModel, Shea
 from truearea._composite import composite
 from truearea._contact import ContactStates, contact
 from truearea._curves import StackedCurve, StatisticalCurve, stacked, statistical
+from truearea._flow import GapFlow, flow
 from truearea._gap import Gaps, gap
 from truearea._law import ContactLaw, CurrentConductance, HeatConductance, law
 from truearea._material import Material
@@ -40,6 +41,7 @@ __all__ = [
     "CurrentConductance",
     "CurveModel",
     "Fit",
+    "GapFlow",
     "GapModel",
     "Gaps",
     "HeatConductance",
@@ -84,6 +86,7 @@ __all__ = [
     "choices",
     "composite",
     "contact",
+    "flow",
     "gap",
     "law",
     "materials",

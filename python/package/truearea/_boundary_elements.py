@@ -10,7 +10,7 @@ import numpy as np
 
 from truearea import _native
 from truearea._arrays import lengths_of, metres
-from truearea._choices import Compliance, MapGaps
+from truearea._choices import Compliance, FlowEdges, MapGaps
 from truearea._curves import Pressures
 from truearea._grammar import AnyMaterial, faces_of, material_of
 from truearea._material import Quantity
@@ -46,7 +46,9 @@ class Pressed(Drawn, Result):
 
     Arrays go along the loads, along the maps where there are several, and with ``per_realisation`` along the surfaces. The area
     fraction counts points; corrected, it is less the staircase; extrapolated, it is what a finer grid would show, with its
-    standard error over the surfaces. ``open_along_x`` and ``open_along_y`` are the share of the surfaces that an open way crosses;
+    standard error over the surfaces. ``open_along_x`` and ``open_along_y`` are the share of the surfaces that an open way crosses,
+    or with ``flow`` the share that fluid flows through, for which there are flow factors with their standard deviations and
+    their errors by the spacing of the points;
     ``rms_gradient`` is by differences of neighbours of a map, or of the band of random surfaces. Only with ``fields`` there are
     pressures and gaps of shape (loads, rows, columns), of several surfaces (loads, surfaces, rows, columns), the heights as they
     were pressed, and ``x_m`` and ``y_m``.
@@ -75,6 +77,13 @@ class Pressed(Drawn, Result):
     open_along_y: FloatArray
     iterations: FloatArray
     residual: FloatArray
+    flow_factor_x: FloatArray
+    flow_factor_y: FloatArray
+    flow_factor_x_sd: FloatArray
+    flow_factor_y_sd: FloatArray
+    flow_factor_x_error: FloatArray
+    flow_factor_y_error: FloatArray
+    flow_residual: FloatArray
     rms_gradient: FloatArray
     pressure_pa: FloatArray
     gap_m: FloatArray
@@ -152,6 +161,8 @@ def boundary_elements(
     compliance: Compliance | None = None,
     fields: bool = False,
     patches: bool = False,
+    flow: bool = False,
+    flow_edges: FlowEdges | None = None,
     **options: Unpack[FlatOptions],
 ) -> Pressed:
     """Press heights, or random surfaces of a spectrum, into a half-space that is elastic or flows at a hardness.
@@ -192,6 +203,11 @@ def boundary_elements(
         Give pressure and gap of every point as well.
     patches : bool, default False
         Find the regions that touch without a break, each with its area and perimeter.
+    flow : bool, default False
+        Solve the flow through the gap along x and along y, as ``truearea.flow`` does.
+    flow_edges : {"periodic", "reservoirs", "channel"}, optional
+        Edges that the flow meets, as ``edges`` of ``truearea.flow``; where left out, those of a surface that repeats itself are
+        periodic, and all others channels.
 
     Raises
     ------
@@ -229,6 +245,8 @@ def boundary_elements(
         "compliance": compliance,
         "fields": fields,
         "patches": patches,
+        "flow": flow,
+        "flow_edges": flow_edges,
         **options,
     }
     return _pressed(*press(_native.press_flat, surface, material, arguments))
@@ -272,11 +290,11 @@ def press(call: Any, surface: Any, material: AnyMaterial, arguments: dict[str, A
     if keeps is None:
         raise InputError(f"gaps: {gaps!r} is none of refuse and keep")
     size = arguments.get("size")
-    maps = _maps("surface", surface, size, keeps)
+    maps = maps_of("surface", surface, size, keeps)
     facing = None
     if other is not None:
         # An array has the size of the surface, unless that has its own and says nothing of arrays.
-        facing = _maps("counterface_surface", other, None if _knows_its_size(other) else size, keeps)
+        facing = maps_of("counterface_surface", other, None if _knows_its_size(other) else size, keeps)
     with observed(arguments.get("progress")) as observer:
         answer, beside = call((maps, facing), core, arguments, observer)
     return answer, beside, "map" if maps[0].ndim == 3 else ""
@@ -286,12 +304,12 @@ def _knows_its_size(surface: Any) -> bool:
     return isinstance(surface, Scan) or is_topography(surface)
 
 
-def _maps(argument: str, surface: Any, size: Any, keeps: bool) -> tuple[FloatArray, list[Any], bool | None]:
+def maps_of(argument: str, surface: Any, size: Any, keeps: bool) -> tuple[FloatArray, list[Any], bool | None]:
     """Maps of heights, the lengths of each, and whether they repeat themselves; None for an array, which does not say it."""
     own: tuple[float, ...] | None = None
     repeats: bool | None
     if isinstance(surface, (list, tuple)) and surface and all(_knows_its_size(one) for one in surface):
-        each = [_maps(argument, one, size, keeps) for one in surface]
+        each = [maps_of(argument, one, size, keeps) for one in surface]
         if any((one.shape, lengths, repeats) != (each[0][0].shape, *each[0][1:]) for one, lengths, repeats in each):
             raise InputError(f"{argument}: its maps have to be of one shape, size and kind of edges; press each by itself")
         return np.stack([one for one, _, _ in each]), *each[0][1:]

@@ -82,6 +82,9 @@ MapGaps = Literal["refuse", "keep"]
 Compliance = Literal["none", "punch", "even"]
 """Compliances of a specimen as a whole that are taken out of a stiffness."""
 
+FlowEdges = Literal["periodic", "reservoirs", "channel"]
+"""Conditions at the edges of a gap that fluid flows through."""
+
 Direction = Literal["x", "y", "both"]
 """Axes of a map along which spectra are taken."""
 
