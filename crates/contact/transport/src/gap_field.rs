@@ -38,7 +38,8 @@ impl<'g> GapField<'g> {
             return Err(HalfSpaceError::Size { given: gaps_m.len(), expected }.into());
         }
         let open = gaps_m.iter().copied().filter(|gap_m| is_open(*gap_m));
-        let mean_gap_m = open.sum::<f64>() / expected as f64;
+        // A sum of nothing is -0.
+        let mean_gap_m = open.fold(0.0, |sum, gap_m| sum + gap_m) / expected as f64;
         Ok(GapField { grid, gaps_m, mean_gap_m })
     }
 
