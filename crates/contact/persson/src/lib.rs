@@ -9,6 +9,7 @@
 //! * [`corrections`]: forms fitted to simulations.
 //! * [`separation`]: mean gap and stiffness, by an [`EnergyFactor`].
 //! * [`sealing`]: open channels through the contact, and their narrowest places.
+//! * [`GapDistribution`]: shares of the nominal area by gap, and the flow through them by an effective medium; [`SealFlow`]: that flow under any load.
 //! * [`PerssonModel`]: all of this along a spectrum, one pass per load.
 #![deny(missing_docs)]
 
@@ -19,12 +20,14 @@ mod contact_energy;
 pub mod corrections;
 pub mod elastic;
 mod energy;
+mod gap_distribution;
 pub mod growing_hardness;
 pub mod hardness_laws;
 mod hardness_path;
 mod layered;
 mod model;
 mod roughness;
+mod seal_flow;
 pub mod sealing;
 pub mod separation;
 mod stress_profile;
@@ -33,6 +36,8 @@ mod stretch;
 pub use areas::ContactAreas;
 pub use band::Band;
 pub use energy::{EnergyFactor, EnergyFactorError};
+pub use gap_distribution::GapDistribution;
 pub use hardness_path::{HardnessKnot, HardnessPath};
 pub use model::{Cut, PerssonModel};
 pub use roughness::{Place, Roughness, RoughnessSample};
+pub use seal_flow::SealFlow;

@@ -139,11 +139,22 @@ impl SealingLaw {
         Some(self.with_argument(wavevector_rad_per_m, pressure_pa, self.threshold.argument()))
     }
 
+    /// Threshold at which the last channel closes.
+    #[must_use]
+    pub fn threshold(&self) -> PercolationThreshold {
+        self.threshold
+    }
+
+    /// Mean gap under a nominal pressure p > 0 \[Pa\], of the theory \[m\].
+    #[must_use]
+    pub fn mean_gap_m(&self, pressure_pa: f64) -> f64 {
+        self.separation.whole(pressure_pa).mean_gap_m
+    }
+
     /// Share in contact with all waves under a nominal pressure p > 0 \[Pa\]; 1 without roughness.
     #[must_use]
     pub fn area_fraction(&self, pressure_pa: f64) -> f64 {
-        let last = self.roughness.places().last();
-        last.map_or(1.0, |last| libm::erf(self.argument(last.wavevector_rad_per_m, pressure_pa)))
+        self.ends_rad_per_m().map_or(1.0, |[_, last]| self.area_up_to(last, pressure_pa))
     }
 
     /// Contact with the waves up to a wavevector within the spectrum \[rad/m\] under a nominal pressure p > 0 \[Pa\].
@@ -151,6 +162,22 @@ impl SealingLaw {
     pub fn contact_at(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> MagnifiedContact {
         let argument = self.argument(wavevector_rad_per_m, pressure_pa);
         self.with_argument(wavevector_rad_per_m, pressure_pa, argument)
+    }
+
+    /// Wavevectors \[rad/m\] of the longest and of the shortest waves; `None` without roughness.
+    pub(crate) fn ends_rad_per_m(&self) -> Option<[f64; 2]> {
+        let [first, .., last] = self.roughness.places() else { return None };
+        Some([first.wavevector_rad_per_m, last.wavevector_rad_per_m])
+    }
+
+    /// Mean square height of the waves beyond a wavevector \[m^2\].
+    pub(crate) fn mean_square_height_beyond_m2(&self, wavevector_rad_per_m: f64) -> f64 {
+        self.separation.beyond(wavevector_rad_per_m).mean_square_height_m2()
+    }
+
+    /// Share in contact with the waves up to a wavevector \[rad/m\].
+    pub(crate) fn area_up_to(&self, wavevector_rad_per_m: f64, pressure_pa: f64) -> f64 {
+        libm::erf(self.argument(wavevector_rad_per_m, pressure_pa))
     }
 
     /// The x of A = erf(x) with the waves up to a wavevector.

@@ -298,6 +298,11 @@ impl SeparationLaw {
         SeparationLaw { stretches: rest.map(Some).collect(), tails: Vec::new(), ..self.clone() }
     }
 
+    /// Mean square height of all waves \[m^2\], Int 4 dV/(q E*(q))^2.
+    pub(crate) fn mean_square_height_m2(&self) -> f64 {
+        self.tails().last().map_or(0.0, |tail| tail.mean_square_height_m2)
+    }
+
     /// Variance V up to a wavevector \[Pa^2\]; outside of the spectrum that of its nearest end.
     pub(crate) fn variance_pa2(&self, wavevector_rad_per_m: f64) -> f64 {
         match self.stretch_begun_at(wavevector_rad_per_m) {
