@@ -28,7 +28,7 @@ pub use evidence::{Evidence, Trust};
 pub use load_answer::{AnswerUnderLoad, foremost};
 pub use next::NextStep;
 pub use publications::Publication;
-pub use seal::{SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
+pub use seal::{LeakInUnit, SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;
 
 use serde::Serialize;

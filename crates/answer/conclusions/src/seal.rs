@@ -1,8 +1,9 @@
 //! The seal: the pressure that closes it, and whether it is closed under each load.
 
+use interface::sealed_fluid::LeakUnit;
 use serde::Serialize;
 use study::interface::InterfaceStates;
-use study::interface::{Quantity, Slot};
+use study::interface::{Quantity, Seal, Slot};
 use uncertainty::Uncertainty;
 
 /// The conclusion on a seal that holds under every load.
@@ -10,6 +11,9 @@ use uncertainty::Uncertainty;
 pub struct SealConclusion {
     /// The pressure that closes it; `None` if no pressure does.
     pub closes: Option<SealClosing>,
+    /// Number of the longest waves of the surface that fit into the shorter side of the joint, if they are so few that chance decides
+    /// the leak rate.
+    pub few_waves: Option<f64>,
 }
 
 /// The pressure that closes a seal.
@@ -34,6 +38,19 @@ pub struct SealUnderLoad {
     pub open_share: Option<f64>,
     /// The leak rate \[m^3/s\], low and high end; `None` where the seal is tight, or without the inputs of a rate.
     pub leak_rate_m3_per_s: Option<[f64; 2]>,
+    /// The leak rate in the unit that is asked for.
+    pub leak_rate: Option<LeakInUnit>,
+}
+
+/// A leak rate in a unit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LeakInUnit {
+    /// Low end.
+    pub low: f64,
+    /// High end.
+    pub high: f64,
+    /// The unit; masses and pressures times volumes are of gases.
+    pub unit: LeakUnit,
 }
 
 /// The answer to "does it seal?", by the interval of the pressure that closes the last channel.
@@ -53,7 +70,11 @@ pub enum SealVerdict {
 impl SealConclusion {
     /// Draws the conclusion; `None` if the scene has no seal.
     pub(crate) fn new(states: &InterfaceStates<'_>, uncertainty: Option<&Uncertainty>) -> Option<Self> {
-        states.request.seal.map(|_| SealConclusion { closes: SealClosing::new(states, uncertainty) })
+        let seal = states.request.seal?;
+        let longest_m = states.longest_wave_m();
+        let narrow = seal.joint.filter(|joint| joint.is_narrow(longest_m));
+        let few_waves = narrow.map(|joint| joint.waves(longest_m));
+        Some(SealConclusion { closes: SealClosing::new(states, uncertainty), few_waves })
     }
 }
 
@@ -94,6 +115,13 @@ fn around(states: &InterfaceStates<'_>, load: usize) -> Option<f64> {
     by_wave.into_iter().chain(states.leak_around_m3_per_s(load)).reduce(f64::max)
 }
 
+/// Converts a leak rate \[m^3/s\] to the unit of a seal.
+fn in_unit(seal: &Seal, [low, high]: [f64; 2]) -> Option<LeakInUnit> {
+    let (unit, joint) = (seal.unit.unwrap_or(LeakUnit::CubicMetrePerSecond), seal.joint?);
+    let of = |rate_m3_per_s| unit.of(rate_m3_per_s, joint.fluid());
+    Some(LeakInUnit { low: of(low)?, high: of(high)?, unit })
+}
+
 impl SealUnderLoad {
     pub(crate) fn new(
         states: &InterfaceStates<'_>,
@@ -101,7 +129,7 @@ impl SealUnderLoad {
         load: usize,
     ) -> Option<Self> {
         let pressure_pa = states.inputs.pressures[load].pa();
-        states.request.seal?;
+        let seal = states.request.seal?;
         let closing = SealClosing::new(states, uncertainty);
         let rate = |quantity| {
             let slot = Slot { quantity, load: Some(load), curve: None };
@@ -110,20 +138,20 @@ impl SealUnderLoad {
             Some(interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]))
         };
         let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
+        let of_flat = low.zip(high).map(|(low, high)| [low[0], high[1]]);
+        let leak_rate_m3_per_s = match (of_flat, around(states, load)) {
+            (Some([low, high]), Some(around)) => Some([low, high.max(around)]),
+            (None, Some(around)) => Some([0.0, around]),
+            (of_flat, None) => of_flat,
+        };
         Some(SealUnderLoad {
             verdict: match states.request.parts_bodies(pressure_pa) {
                 true => SealVerdict::Open,
                 false => closing.map_or(SealVerdict::Open, |closing| SealVerdict::new(pressure_pa, &closing)),
             },
             open_share: uncertainty.and_then(|found| found.share_open(load)),
-            leak_rate_m3_per_s: match (
-                low.zip(high).map(|(low, high)| [low[0], high[1]]),
-                around(states, load),
-            ) {
-                (Some([low, high]), Some(around)) => Some([low, high.max(around)]),
-                (None, Some(around)) => Some([0.0, around]),
-                (of_flat, None) => of_flat,
-            },
+            leak_rate_m3_per_s,
+            leak_rate: leak_rate_m3_per_s.and_then(|rate| in_unit(&seal, rate)),
         })
     }
 }

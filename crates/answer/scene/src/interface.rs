@@ -1,20 +1,18 @@
 //! The interface results that a scene requests: typed values, checked against their bounds.
 
 use ::interface::conductance::{Conductivities, Resistivities};
-use ::interface::leak::SealedJoint;
-use persson::sealing::PercolationThreshold;
-use serde_spanned::Spanned;
 use units::Bound;
 use units::display::length;
 
 use super::error::SceneError;
 use super::gas::resolve_gas;
 use super::loads::nominal_pressure;
-use super::raw::{RawInterface, RawScene, RawSeal, given};
-use super::values::{number, value_error};
+use super::raw::{RawInterface, RawScene, given};
+use super::seal::resolve_seal;
+use super::values::number;
 use study::bodies::{Bodies, Transport};
 use study::body_properties::BodyProperty;
-use study::interface::{AdhesionRequest, Asks, InterfaceRequest, Seal, Shear, ShearLoad};
+use study::interface::{AdhesionRequest, Asks, InterfaceRequest, Shear, ShearLoad};
 use study::material::Material;
 use study::plan::NominalPressure;
 
@@ -152,31 +150,4 @@ fn resolve_adhesion(raw: &RawInterface) -> Result<Option<AdhesionRequest>, Scene
             range_m: range.as_ref().map(|range| range.value.m),
         })),
     }
-}
-
-fn resolve_seal(raw: &Spanned<RawSeal>, material: Option<&Material>) -> Result<Seal, SceneError> {
-    let seal = raw.get_ref();
-    let threshold = seal.percolation_threshold.as_ref().map(|typed| {
-        PercolationThreshold::new(*typed.get_ref()).map_err(|error| {
-            value_error("seal.percolation_threshold", &typed.get_ref().to_string(), typed.span(), error)
-        })
-    });
-    let drop = seal
-        .pressure_drop
-        .as_ref()
-        .map(|typed| nominal_pressure("seal.pressure_drop", typed, material))
-        .transpose()?;
-    let joint = match (drop, given(&seal.viscosity), given(&seal.breadth), given(&seal.length)) {
-        (Some(drop), Some(viscosity), Some(breadth), Some(length)) => Some(
-            SealedJoint::new(breadth.m, length.m, drop.pa(), viscosity.pa_s)
-                .map_err(|error| SceneError::at(raw.span(), format!("[seal]: {error}")))?,
-        ),
-        (None, None, None, None) => None,
-        _ => {
-            let message = "[seal]: a leak rate takes pressure_drop, viscosity, breadth and length; give all four, or none for the \
-                           last channel alone";
-            return Err(SceneError::at(raw.span(), message));
-        }
-    };
-    Ok(Seal { threshold: threshold.transpose()?.unwrap_or_default(), joint })
 }

@@ -22,6 +22,7 @@ mod replace;
 mod resolve;
 mod roughness;
 mod scene_text;
+mod seal;
 mod section;
 mod spelling;
 mod surfaces;

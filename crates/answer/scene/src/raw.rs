@@ -8,6 +8,7 @@ use std::sync::LazyLock;
 
 use ::interface::flatness::Flatness;
 use ::interface::gas::NamedGas;
+use ::interface::sealed_fluid::LeakUnit;
 use measurements::{Instrument, SlopeUncertainty, TipRadius, ZCalibration};
 use persson::Band;
 use persson::EnergyFactor;
@@ -385,6 +386,10 @@ pub(super) struct RawSeal {
     pub percolation_threshold: Option<Spanned<f64>>,
     pub pressure_drop: Option<Typed<Pressure>>,
     pub viscosity: Option<Typed<Viscosity>>,
+    pub gas: Option<Typed<NamedGas>>,
+    pub gas_temperature: Option<Typed<Temperature>>,
+    pub outlet_pressure: Option<Typed<Pressure>>,
+    pub leak_unit: Option<Typed<LeakUnit>>,
     pub breadth: Option<Typed<Length>>,
     pub length: Option<Typed<Length>>,
 }

@@ -21,7 +21,7 @@ const OTHER_NAMES: [(&str, [&str; 2]); 2] =
 
 /// The SI units of the keys that are typed with a unit, so that a plain number can be given for them; those of bodies are in
 /// their own table.
-const SI_UNITS: [(&str, &str); 22] = [
+const SI_UNITS: [(&str, &str); 24] = [
     ("surface.rms_height", "m"),
     ("surface.mean_width", "m"),
     ("surface.rolloff_wavelength", "m"),
@@ -42,6 +42,8 @@ const SI_UNITS: [(&str, &str); 22] = [
     ("interface.tangential_stress", "Pa"),
     ("seal.pressure_drop", "Pa"),
     ("seal.viscosity", "Pa s"),
+    ("seal.gas_temperature", "K"),
+    ("seal.outlet_pressure", "Pa"),
     ("seal.breadth", "m"),
     ("seal.length", "m"),
 ];

@@ -105,7 +105,7 @@ impl<'p> Quantities<'p> {
             hardness_pa: self.hardness_pa(drawn),
             ..self.plain.inputs.clone()
         };
-        InterfaceStates::new(self.plain.request, inputs).map(|states| self.ln_values(&states))
+        self.plain.drawn(inputs).map(|states| self.ln_values(&states))
     }
 
     fn of_spectrum(&self, psd: &ProfilePsd) -> Option<DrawnQuantities> {

@@ -18,6 +18,8 @@ use crate::conductance::PressureRatio;
 
 /// Gauss-Legendre rule of one panel.
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(|| GaussLegendre::new(16));
+/// Molar gas constant \[J/(mol K)\].
+pub(crate) const GAS_CONSTANT_J_PER_MOL_K: f64 = 8.314_462_618;
 /// Standard deviations beyond which a Gaussian is 0 to double precision.
 const TAIL: f64 = 9.0;
 /// Least number of panels of the integral over gaps.
@@ -66,6 +68,7 @@ struct GasProperties {
     mean_free_path_m: f64,
     /// Accommodation coefficient on either wall.
     accommodation: f64,
+    molar_mass_kg_per_mol: f64,
 }
 
 impl NamedGas {
@@ -84,21 +87,53 @@ impl NamedGas {
     ///   coefficients for engineering surfaces, ASME HTD 69:107. At 0 C it is M/(6.8 + M) for any solid, with the molar mass M in
     ///   g/mol, 1.4 times that of molecules with more than one atom. Clean metals accommodate light gases far worse.
     fn properties(self) -> GasProperties {
-        let (conductivities_w_per_m_k, prandtl_number, heat_capacity_ratio, mean_free_path_m, accommodation) =
-            match self {
-                NamedGas::Air => ([0.0262, 0.0333], 0.71, 1.40, 64.0e-9, 0.86),
-                NamedGas::Nitrogen => ([0.0260, 0.0323], 0.72, 1.40, 62.8e-9, 0.85),
-                NamedGas::Helium => ([0.1567, 0.1906], 0.66, 1.67, 186.2e-9, 0.37),
-                NamedGas::Argon => ([0.0179, 0.0226], 0.67, 1.67, 66.6e-9, 0.85),
-                NamedGas::Hydrogen => ([0.1869, 0.2304], 0.69, 1.41, 117.7e-9, 0.29),
-            };
+        let (
+            conductivities_w_per_m_k,
+            prandtl_number,
+            heat_capacity_ratio,
+            mean_free_path_m,
+            accommodation,
+            grams,
+        ) = match self {
+            NamedGas::Air => ([0.0262, 0.0333], 0.71, 1.40, 64.0e-9, 0.86, 28.97),
+            NamedGas::Nitrogen => ([0.0260, 0.0323], 0.72, 1.40, 62.8e-9, 0.85, 28.01),
+            NamedGas::Helium => ([0.1567, 0.1906], 0.66, 1.67, 186.2e-9, 0.37, 4.003),
+            NamedGas::Argon => ([0.0179, 0.0226], 0.67, 1.67, 66.6e-9, 0.85, 39.95),
+            NamedGas::Hydrogen => ([0.1869, 0.2304], 0.69, 1.41, 117.7e-9, 0.29, 2.016),
+        };
         GasProperties {
             conductivities_w_per_m_k,
             prandtl_number,
             heat_capacity_ratio,
             mean_free_path_m,
             accommodation,
+            molar_mass_kg_per_mol: 1e-3 * grams,
         }
+    }
+
+    /// Molar mass \[kg/mol\].
+    #[must_use]
+    pub fn molar_mass_kg_per_mol(self) -> f64 {
+        self.properties().molar_mass_kg_per_mol
+    }
+
+    /// Returns the dynamic viscosity Pr k/c_p \[Pa s\] at a temperature \[K\], with the heat capacity c_p = (R/M) gamma/(gamma - 1).
+    ///
+    /// # Errors
+    /// [`OutOfBounds`] for a temperature outside of [`TEMPERATURES_K`](Self::TEMPERATURES_K).
+    pub fn viscosity_pa_s(self, temperature_k: f64) -> Result<f64, OutOfBounds> {
+        let GasProperties { prandtl_number, heat_capacity_ratio, molar_mass_kg_per_mol, .. } =
+            self.properties();
+        let heat_capacity_j_per_kg_k = GAS_CONSTANT_J_PER_MOL_K / molar_mass_kg_per_mol * heat_capacity_ratio
+            / (heat_capacity_ratio - 1.0);
+        Ok(prandtl_number * self.conductivity_w_per_m_k(temperature_k)? / heat_capacity_j_per_kg_k)
+    }
+
+    /// Returns the mean free path Lambda = Lambda_0 (T/T_0) (P_0/P) \[m\] at a temperature \[K\] and a pressure \[Pa\].
+    #[must_use]
+    pub fn mean_free_path_m(self, temperature_k: f64, pressure_pa: f64) -> f64 {
+        let hotter = temperature_k / Self::REFERENCE_TEMPERATURE_K;
+        self.properties().mean_free_path_m * hotter * (Self::REFERENCE_PRESSURE_PA / pressure_pa)
     }
 
     /// Returns the conductivity \[W/(m K)\] at a temperature \[K\], by the power law through the values at 300 and 400 K.
@@ -113,7 +148,7 @@ impl NamedGas {
     }
 
     /// Returns the gas parameter M = alpha beta Lambda \[m\] at a temperature \[K\] and a pressure \[Pa\], with alpha = 2 (2 - a)/a of
-    /// walls that accommodate alike, beta = 2 gamma/(Pr (1 + gamma)), and the mean free path Lambda = Lambda_0 (T/T_0) (P_0/P).
+    /// walls that accommodate alike, beta = 2 gamma/(Pr (1 + gamma)), and the mean free path Lambda.
     ///
     /// # Errors
     /// [`OutOfBounds`] unless both, and the parameter, are positive and within thirty decades of 1.
@@ -121,8 +156,7 @@ impl NamedGas {
         let temperature_k = Bound::Magnitude.check("temperature of the gas in K", temperature_k)?;
         let pressure_pa = Bound::Magnitude.check("pressure of the gas in Pa", pressure_pa)?;
         let gas = self.properties();
-        let hotter = temperature_k / Self::REFERENCE_TEMPERATURE_K;
-        let path_m = gas.mean_free_path_m * hotter * (Self::REFERENCE_PRESSURE_PA / pressure_pa);
+        let path_m = self.mean_free_path_m(temperature_k, pressure_pa);
         let alpha = 2.0 * ((2.0 - gas.accommodation) / gas.accommodation);
         let ratio = gas.heat_capacity_ratio;
         let parameter_m = alpha * (2.0 * ratio / (gas.prandtl_number * (1.0 + ratio))) * path_m;
@@ -308,6 +342,19 @@ mod tests {
             assert!((gas.properties().accommodation - mass / (6.8 + mass)).abs() < 0.006, "{gas}");
             let found = 1e3 * gas.conductivity_w_per_m_k(500.0).unwrap();
             assert!((found / conductivity - 1.0).abs() < 0.02, "{gas}: {found}");
+            assert!((1e3 * gas.molar_mass_kg_per_mol() / molar_mass - 1.0).abs() < 1e-12);
+        }
+        // Viscosities of the handbook at 300 and 400 K [uPa s].
+        for (gas, viscosities) in [
+            (NamedGas::Air, [18.5, 23.0]),
+            (NamedGas::Nitrogen, [17.9, 22.2]),
+            (NamedGas::Helium, [20.0, 24.4]),
+            (NamedGas::Argon, [22.9, 28.8]),
+            (NamedGas::Hydrogen, [9.0, 10.9]),
+        ] {
+            let found = [300.0, 400.0].map(|temperature_k| 1e6 * gas.viscosity_pa_s(temperature_k).unwrap());
+            let off = [0, 1].map(|at| (found[at] / viscosities[at] - 1.0).abs());
+            assert!(off[0] < 0.015 && off[1] < 0.03, "{gas}: {found:?}");
         }
         // alpha beta Lambda = 2 (1.14/0.86) (2.8/(0.71 2.4)) 64 nm, and twice that at half of the pressure.
         let [full, half] = [101_325.0, 50_662.5].map(|pa| NamedGas::Air.parameter_m(288.15, pa).unwrap());

@@ -1,6 +1,7 @@
 //! Answers to what a scene asks besides the area: values with the errors of theory, map and inputs, in the unit of the question.
 
 use conclusions::{AnswerUnderLoad, AskedValue, PeakState};
+use interface::sealed_fluid::LeakUnit;
 use judge::Reference;
 use study::interface::{Quantity, Slot};
 
@@ -168,6 +169,27 @@ fn friction_is_that_of_both_ends_of_the_area() {
 }
 
 #[test]
+fn a_leak_of_gas_is_in_its_unit_and_a_narrow_seal_is_named() {
+    let joint = |length: &str| {
+        format!(
+            "[seal]\npressure_drop = \"100 kPa\"\ngas = \"helium\"\nleak_unit = \"mbar l/s\"\nbreadth = \"100 mm\"\nlength = \"{length}\"\n"
+        )
+    };
+    let answered = |length: &str| scene("", "pressures = [\"1 MPa\"]", &joint(length)).conclusions();
+    let wide = answered("90 mm");
+    let seal = wide.loads[0].seal.unwrap();
+    let ([low, high], leak) = (seal.leak_rate_m3_per_s.unwrap(), seal.leak_rate.unwrap());
+    // 1 atm at the outlet is 1013.25 mbar, and 1 m^3 1000 l.
+    assert!(is_near(leak.low, 1_013_250.0 * low) && is_near(leak.high, 1_013_250.0 * high), "{leak:?}");
+    assert_eq!((leak.unit, wide.seal.unwrap().few_waves), (LeakUnit::MillibarLitrePerSecond, None));
+    let narrow = answered("0.1 mm");
+    let few = narrow.seal.unwrap().few_waves.unwrap();
+    assert!(few < 4.0, "{few}");
+    let leak = narrow.loads[0].seal.unwrap().leak_rate.unwrap();
+    assert!(leak.high / leak.low > 1.1 * high / low, "{leak:?}");
+}
+
+#[test]
 fn leaks_and_shear_are_those_of_the_interface() {
     let joint = "[seal]\npressure_drop = \"100 kPa\"\nviscosity = \"1 mPa s\"\nbreadth = \"100 mm\"\nlength = \"2 mm\"\n";
     let shear = "[interface]\ntangential_stress = \"1 MPa\"\nfriction = 0.2\n";
@@ -176,6 +198,8 @@ fn leaks_and_shear_are_those_of_the_interface() {
     let seal = conclusions.loads[0].seal.unwrap();
     let rates = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(|rate| value(&answered, 0, rate));
     assert_eq!((seal.leak_rate_m3_per_s, seal.open_share), (Some(rates), None));
+    let in_unit = seal.leak_rate.unwrap();
+    assert_eq!(([in_unit.low, in_unit.high], in_unit.unit), (rates, LeakUnit::CubicMetrePerSecond));
     // Friction times pressure is below the stress under the lighter load.
     let [slides, sticks] = conclusions.shear[..] else { panic!() };
     assert_eq!((slides.load, slides.displacement_m, slides.damping_ratio), (0, None, None));

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use std::fmt::Write;
 
 use conclusions::{
-    AnswerUnderLoad, AreaEstimate, AskedValue, Cause, Conclusions, ModelCell, NextStep, OfInputs,
+    AnswerUnderLoad, AreaEstimate, AskedValue, Cause, Conclusions, LeakInUnit, ModelCell, NextStep, OfInputs,
     OtherHardness, PeakState, SealVerdict, ShearConclusion, Source, foremost,
 };
 use judge::{Reference, Verdict};
@@ -281,17 +281,30 @@ pub(crate) fn answers_under(
 fn asked_rows(conclusions: &Conclusions, load: &AnswerUnderLoad) -> Vec<(&'static str, String)> {
     let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
     let at = format!("{at}{}", without_adhesion(load));
-    let leak = load.seal.and_then(|seal| seal.leak_rate_m3_per_s);
-    let leak = leak.map(|[low, high]| {
-        let rate = Quantity::LeakRateHigh;
-        let range = interface_words::range(rate, low, high).filter(|_| low > NEGLIGIBLE * high);
-        let words = range.unwrap_or_else(|| format!("at most {}", interface_words::value(rate, high)));
-        ("Leaks", format!("{words}{at}"))
-    });
+    let leak = load.seal.and_then(|seal| seal.leak_rate);
+    let leak = leak.map(|leak| ("Leaks", format!("{}{}{at}", leak_words(&leak), few_waves(conclusions))));
     let asked = load.asked.iter().map(|asked| (asked_heading(asked.quantity), asked_words(asked, &at)));
     let shear = conclusions.shear.iter().find(|shear| shear.load == load.load);
     let shear = shear.map(|shear| ("Shear", format!("{}{at}", shear_words(shear))));
     leak.into_iter().chain(asked).chain(shear).collect()
+}
+
+/// A leak rate in its unit: `0.12 to 0.4 ml/min`.
+fn leak_words(leak: &LeakInUnit) -> String {
+    let LeakInUnit { low, high, unit } = *leak;
+    let unit = unit.name().replace("^3", "³");
+    let [from, to] = [low, high].map(three_digits);
+    match from == to {
+        _ if low <= NEGLIGIBLE * high => format!("at most {to} {unit}"),
+        true => format!("{to} {unit}"),
+        false => format!("{from} to {to} {unit}"),
+    }
+}
+
+/// Says how few of the longest waves fit into a seal, if chance decides its leak.
+fn few_waves(conclusions: &Conclusions) -> String {
+    let few = conclusions.seal.and_then(|seal| seal.few_waves);
+    few.map_or_else(String::new, |waves| format!(", {} longest waves wide", three_digits(waves)))
 }
 
 fn asked_heading(quantity: Quantity) -> &'static str {

@@ -1,6 +1,7 @@
 //! The quantities of an interface in words.
 
 use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, PressureRatio};
+use interface::sealed_fluid::SealedFluid;
 use interface::tangential::NOTICEABLE_MISMATCH;
 use persson::Band;
 use questions::remarks_on_separation;
@@ -190,20 +191,42 @@ fn of_the_seal(
         percent(threshold)
     )];
     notes.extend(seal.joint.map(|_| {
-        "the leak rate is a range, in which lie flows solved through gaps of boundary elements: a twentieth to a half of what the last \
-         channel alone lets through, a quarter to all below 5 % contact, and a fiftieth to four times above 30 %"
+        "the leak rate is that of an effective medium of all gaps; its range holds flow solved through the gaps of boundary elements, on \
+         single pieces of the surface four of its longest waves wide"
+            .to_owned()
+    }));
+    let longest_m = states.longest_wave_m();
+    let narrow = seal.joint.filter(|joint| joint.is_narrow(longest_m));
+    notes.extend(narrow.map(|joint| {
+        format!(
+            "only {} of the longest waves, {}, fit into the seal: a single valley may decide, and the range is wider for it",
+            three_digits(joint.waves(longest_m)),
+            length(longest_m)
+        )
+    }));
+    notes.extend(seal.joint.map(|_| {
+        "the leak rate is that of roughness without a lay: with waves four times as long along the lay, 1.4 to 2 times as much leaks \
+         along it, and a fourth to a twentieth across"
             .to_owned()
     }));
     let is_bowed = seal.joint.is_some() && states.request.flatness.is_some();
     notes.extend(is_bowed.then(|| {
         "faces that are not flat leak around their contact: the high end of the leak rate is what the open gap lets through".to_owned()
     }));
-    notes.extend(seal.joint.and_then(|joint| joint.gas_expansion()).map(|times| {
-        format!(
-            "the viscosity is that of a gas, which expands: the leak rate is the volume at the mean of both pressures, and {} times as much \
-             leaves into an atmosphere of 1 bar",
-            three_digits(times)
-        )
+    notes.extend(seal.joint.map(|joint| *joint.fluid()).and_then(|fluid| match fluid {
+        SealedFluid::Gas(gas) => Some(format!("the leak rate is the volume of {} at the outlet", gas.gas)),
+        _ if fluid.is_unnamed_gas() => Some(
+            "the viscosity is that of a gas, which expands and slips: give gas = \"air\", say, in place of it".to_owned(),
+        ),
+        SealedFluid::Incompressible(_) => None,
+    }));
+    let slips = loads_where(scene, |load| {
+        let (joint, medium_m3) = seal.joint.zip(states.medium_m3(load))?;
+        let times = joint.fluid().notable_slip(joint.pressure_drop_pa(), medium_m3.cbrt())?;
+        Some(format!(" ({} times as much)", three_digits(times)))
+    });
+    notes.extend(slips.map(|loads| {
+        format!("the gaps are hardly wider than the mean free path of the gas, which slips at their walls, and it is counted: at {loads}")
     }));
     let sometimes = loads_where(scene, |load| {
         let share = uncertainty?.share_open(load).filter(|share| *share > 0.0 && *share < 1.0)?;
@@ -214,7 +237,6 @@ fn of_the_seal(
             "a channel is open in some draws only at {loads}; its intervals rest on these draws, and are left out below 90 %"
         )
     }));
-    let longest_m = states.inputs.results.psd.longest_wavelength_m();
     let at_the_end = loads_where(scene, |load| {
         let slot = Slot { quantity: Quantity::ChannelWavelength, load: Some(load), curve: None };
         alone(states.value(slot).ok().flatten()? > 0.5 * longest_m)

@@ -73,6 +73,8 @@ quantities! {
     ChannelWavelength = "channel_wavelength_m", "wavelength of the last channel", "m";
     /// The height of that place \[m\].
     ChannelHeight = "channel_height_m", "height of the last channel", "m";
+    /// Height of the parallel slot that leaks as much, by the effective medium \[m\].
+    LeakGap = "leak_gap_m", "height of the slot that leaks as much", "m";
     /// Low end of the leak rate \[m^3/s\].
     LeakRateLow = "leak_rate_low_m3_per_s", "leak rate, at least", "m³/s";
     /// High end of the leak rate \[m^3/s\].

@@ -5,6 +5,7 @@ use interface::conductance::{Conductivities, Resistivities};
 use interface::flatness::Flatness;
 use interface::gas::GapGas;
 use interface::leak::SealedJoint;
+use interface::sealed_fluid::LeakUnit;
 use persson::Band;
 use persson::EnergyFactor;
 use persson::sealing::PercolationThreshold;
@@ -62,6 +63,8 @@ pub struct Seal {
     pub threshold: PercolationThreshold,
     /// The nominal contact, its fluid and what presses on that; without it there is no rate.
     pub joint: Option<SealedJoint>,
+    /// The unit that the leak rate is asked in; cubic metres per second if absent.
+    pub unit: Option<LeakUnit>,
 }
 
 /// Attraction across a gap.
@@ -184,7 +187,7 @@ impl InterfaceRequest {
             quantities.extend(has_hardness.then_some(Quantity::FlowedElectricalConductance));
         }
         if let Some(seal) = &self.seal {
-            quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight]);
+            quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight, Quantity::LeakGap]);
             let rates = seal.joint.map(|_| [Quantity::LeakRateLow, Quantity::LeakRateHigh]);
             quantities.extend(rates.into_iter().flatten());
         }

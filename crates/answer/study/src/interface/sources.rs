@@ -22,12 +22,11 @@ impl Quantity {
             Quantity::FlowedGap | Quantity::GasConductance | Quantity::ThermalConductanceWithGas => {
                 "Yovanovich (2005), IEEE Trans. Compon. Packag. Technol. 28:182"
             }
-            Quantity::ChannelWavelength
-            | Quantity::ChannelHeight
-            | Quantity::LeakRateLow
-            | Quantity::LeakRateHigh
-            | Quantity::TightPressure => {
+            Quantity::ChannelWavelength | Quantity::ChannelHeight | Quantity::TightPressure => {
                 "Persson & Yang (2008), J. Phys.: Condens. Matter 20:315011; Dapp & Müser (2016), Sci. Rep. 6:19513"
+            }
+            Quantity::LeakGap | Quantity::LeakRateLow | Quantity::LeakRateHigh => {
+                "Almqvist et al. (2011), J. Mech. Phys. Solids 59:2355; Bruggeman (1935), Ann. Phys. 416:636"
             }
             Quantity::FrictionStress | Quantity::FrictionCoefficient => {
                 "Bowden & Tabor (1950), The Friction and Lubrication of Solids, Oxford"

@@ -13,7 +13,7 @@ use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{LIGHT_CONTACT, LightLoads, STIFFNESS_WITHIN, Separation, SeparationLaw};
-use persson::{Roughness, constant_hardness, elastic};
+use persson::{Roughness, SealFlow, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 
 use super::flat::FlatnessAdds;
@@ -65,6 +65,8 @@ struct ElasticStates {
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
     sheared: Vec<OnceLock<Option<ShearedContact>>>,
     constrictions: Vec<OnceLock<Option<MagnifiedContact>>>,
+    /// Flow factors of the seal; draws of a spectrum share them.
+    flow: Option<Arc<SealFlow>>,
     /// States with the deviation of the nominal contact from a plane as a wave, if one is given.
     with_wave: Option<Arc<ElasticStates>>,
     /// The additions of both limits of that deviation under every load, once they are read.
@@ -78,6 +80,20 @@ impl<'a> InterfaceStates<'a> {
     /// The requested quantities; `None` if the spectrum of the results has no moments.
     #[must_use]
     pub fn new(request: &'a InterfaceRequest, inputs: InterfaceInputs<'a>) -> Option<Self> {
+        Self::from_inputs(request, inputs, None)
+    }
+
+    /// Returns the quantities of other inputs that differ little, such as draws of them: flow factors are shared.
+    #[must_use]
+    pub fn drawn(&self, inputs: InterfaceInputs<'a>) -> Option<Self> {
+        Self::from_inputs(self.request, inputs, self.elastic.flow.clone())
+    }
+
+    fn from_inputs(
+        request: &'a InterfaceRequest,
+        inputs: InterfaceInputs<'a>,
+        flow: Option<Arc<SealFlow>>,
+    ) -> Option<Self> {
         let results = inputs.results;
         let (last, _) = results.moments.last()?;
         let moments = by_parseval(last, inputs.normalisation);
@@ -88,7 +104,9 @@ impl<'a> InterfaceStates<'a> {
             let moments = Moments { m0_m2: moments.m0_m2 + mean_square_m2, ..moments };
             Some(Arc::new(ElasticStates::new(request, &inputs, roughness, moments)))
         });
-        let elastic = ElasticStates { with_wave, ..ElasticStates::new(request, &inputs, roughness, moments) };
+        let mut elastic =
+            ElasticStates { with_wave, ..ElasticStates::new(request, &inputs, roughness, moments) };
+        elastic.flow = flow.or(elastic.flow);
         Some(InterfaceStates { request, inputs, elastic: Arc::new(elastic) })
     }
 
@@ -311,8 +329,9 @@ impl<'a> InterfaceStates<'a> {
             }
             Quantity::ChannelWavelength => Ok(self.constriction(load).map(|seen| seen.wavelength_m())),
             Quantity::ChannelHeight => Ok(self.constriction(load).and_then(|seen| seen.opening_gap_m)),
-            Quantity::LeakRateLow => Ok(self.leak(load)?.map(|rate| rate.low_m3_per_s)),
-            Quantity::LeakRateHigh => Ok(self.leak(load)?.map(|rate| rate.high_m3_per_s)),
+            Quantity::LeakRateLow => Ok(self.leak(load).map(|rate| rate.low_m3_per_s)),
+            Quantity::LeakRateHigh => Ok(self.leak(load).map(|rate| rate.high_m3_per_s)),
+            Quantity::LeakGap => Ok(self.medium_m3(load).map(f64::cbrt)),
             Quantity::FrictionStress | Quantity::FrictionCoefficient => {
                 let area = slot.curve.and_then(|curve| {
                     let curve = self.inputs.results.curves.get(curve)?;
@@ -448,12 +467,10 @@ impl<'a> InterfaceStates<'a> {
         Ok(Some(correlation.conductance_w_per_m2_k(&conductivities, &self.surface()?, ratio)))
     }
 
-    fn leak(&self, load: usize) -> Result<Option<LeakRate>, InterfaceError> {
-        let joint = self.request.seal.and_then(|seal| seal.joint).zip(self.elastic.sealing.as_ref());
-        let height_m = self.constriction(load).and_then(|seen| seen.opening_gap_m);
-        let (Some((joint, sealing)), Some(height_m)) = (joint, height_m) else { return Ok(None) };
-        let area_fraction = sealing.area_fraction(self.pressure_pa(load));
-        joint.leak_rate(height_m, area_fraction).map(Some)
+    fn leak(&self, load: usize) -> Option<LeakRate> {
+        let joint = self.request.seal?.joint?;
+        let (medium_m3, area_fraction) = (self.medium_m3(load)?, self.sealing_area_fraction(load)?);
+        Some(joint.leak_rate(medium_m3, area_fraction, self.longest_wave_m()))
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
@@ -484,13 +501,38 @@ impl<'a> InterfaceStates<'a> {
         *self.elastic.separations[load].get_or_init(|| self.elastic.separation.whole(self.pressure_pa(load)))
     }
 
+    fn is_closed_by_yielding(&self, load: usize) -> bool {
+        self.closed_by_yielding_from_pa().is_some_and(|from_pa| self.pressure_pa(load) >= from_pa)
+    }
+
     fn constriction(&self, load: usize) -> Option<MagnifiedContact> {
         let pressure_pa = self.pressure_pa(load);
-        if self.closed_by_yielding_from_pa().is_some_and(|from_pa| pressure_pa >= from_pa) {
+        if self.is_closed_by_yielding(load) {
             return None;
         }
         let find = || self.elastic.sealing.as_ref()?.critical_constriction(pressure_pa);
         *self.elastic.constrictions[load].get_or_init(find)
+    }
+
+    /// Computes the conductance of the gaps of a seal under a load, the cube of the parallel slot that lets as much through \[m^3\], by the
+    /// effective medium; `None` without a seal and where it is tight.
+    #[must_use]
+    pub fn medium_m3(&self, load: usize) -> Option<f64> {
+        let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
+        let is_open = !self.is_closed_by_yielding(load);
+        flow.conductance_m3(sealing, self.pressure_pa(load)).filter(|_| is_open)
+    }
+
+    /// Returns the share of the area in contact under a load that decides a seal, by a fit to boundary elements; `None` without a seal.
+    #[must_use]
+    pub fn sealing_area_fraction(&self, load: usize) -> Option<f64> {
+        Some(self.elastic.sealing.as_ref()?.area_fraction(self.pressure_pa(load)))
+    }
+
+    /// Returns the longest wave of the spectrum \[m\], without that of a part that is not flat.
+    #[must_use]
+    pub fn longest_wave_m(&self) -> f64 {
+        self.inputs.results.psd.longest_wavelength_m()
     }
 
     pub(super) fn pressure_pa(&self, load: usize) -> f64 {
@@ -515,6 +557,7 @@ impl ElasticStates {
             let correction = Some(CORRECTION_OF_SEALS);
             SealingLaw::new(&roughness, modulus_pa, request.energy_factor, correction, seal.threshold)
         });
+        let flow = sealing.as_ref().map(|law| Arc::new(SealFlow::new(law)));
         let loads = inputs.pressures.len();
         ElasticStates {
             moments,
@@ -524,6 +567,7 @@ impl ElasticStates {
             sealing,
             sheared: vec![OnceLock::new(); loads],
             constrictions: vec![OnceLock::new(); loads],
+            flow,
             with_wave: None,
             flatness: vec![OnceLock::new(); loads],
         }

@@ -107,6 +107,6 @@ impl InterfaceStates<'_> {
         let cube = |beyond_m: f64| (beyond_m + gap_m).powi(3);
         let by_ridge = flatness.ridge(pressure_pa, modulus_pa).mean_outside(cube);
         let mean_cube_m3 = by_ridge.max(flatness.cap(pressure_pa, modulus_pa).mean_outside(cube));
-        (mean_cube_m3 > 0.0).then(|| joint.open_rate_m3_per_s(mean_cube_m3))
+        (mean_cube_m3 > 0.0).then(|| joint.rate_m3_per_s(mean_cube_m3))
     }
 }

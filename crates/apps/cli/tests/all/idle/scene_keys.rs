@@ -72,6 +72,8 @@ const SCENES: &[&str] = &[
     "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n[loads]\npressures = [\"1 MPa\"]\n\
      [interface]\nfriction = 0.3\ntangential_stress = \"100 kPa\"\n[[curve]]\nmodel = \"persson\"\n[judge]\ngrid = 32\nrealisations = 2\n",
     "[surface]\npsd = \"psd.csv\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n[loads]\npressures = [\"1 MPa\"]\n[seal]\n[judge]\ngrid = 32\nrealisations = 2\n",
+    "[surface]\npsd = \"psd.csv\"\n[material]\nname = \"silver\"\n[loads]\npressures = [\"1 MPa\"]\n[seal]\npressure_drop = \"1 bar\"\ngas = \"helium\"\n\
+     leak_unit = \"g/year\"\nbreadth = \"1 mm\"\nlength = \"1 mm\"\n[judge]\ngrid = 32\nrealisations = 2\n",
     // A layer on its material and on a rigid base; roughness parameters in place of a spectrum.
     "[surface]\nrms_height = \"50 nm\"\nrms_slope = 0.05\nmean_width = \"20 um\"\n[material]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n\
      [material.layer]\nthickness = \"5 um\"\nyoungs_modulus = \"20 GPa\"\npoisson_ratio = 0.4\n[loads]\npressures = [\"10 MPa\"]\n[[curve]]\nmodel = \"persson\"\n[judge]\ngrid = 32\nrealisations = 2\n",
@@ -144,6 +146,7 @@ fn words(key: &str) -> Option<Vec<String>> {
         "amplitude" => named!(spectrum::AmplitudeDefinition),
         "hardness_formula" => named!(asperity::Hardness),
         "gas" => named!(interface::gas::NamedGas),
+        "leak_unit" => named!(interface::sealed_fluid::LeakUnit),
         "strain_gradient" | "all_models" | "off" | "remove_spikes" => {
             vec!["true".to_owned(), "false".to_owned()]
         }
@@ -236,6 +239,7 @@ const VALUES: &[(&str, &[&str])] = &[
     ("share_of_sliding", &["0.3", "0.8"]),
     ("percolation_threshold", &["0.4", "0.45"]),
     ("pressure_drop", &["\"2 bar\"", "\"5 bar\""]),
+    ("outlet_pressure", &["\"1 kPa\"", "\"2 bar\""]),
     ("viscosity", &["\"2 mPa s\"", "\"5 mPa s\""]),
     ("breadth", &["\"2 mm\"", "\"5 mm\""]),
     ("length", &["\"2 mm\"", "\"5 mm\""]),
