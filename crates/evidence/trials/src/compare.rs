@@ -11,6 +11,7 @@ use trials::TrialError;
 use trials::elements::{self, ElementsRow};
 use trials::flatness_trials::{self, FlatnessRow};
 use trials::flattening_trials;
+use trials::flow_trials::{self, FlowRow};
 use trials::gap_trials::{self, GapRow};
 use trials::judge_spectra::Set;
 use trials::judge_trials::JudgedRow;
@@ -83,6 +84,21 @@ pub(crate) fn flatness(anew: bool) -> Outcome {
         store(&rows, &csv)?;
     }
     rewrite("docs/develop/trials.md", |page| flatness_trials::written(page, &rows))
+}
+
+/// Compares leaks by the effective medium with flow through gaps of boundary elements: `docs/develop/trials.md`.
+pub(crate) fn flow(anew: bool) -> Outcome {
+    let csv = checkout("docs/develop/trials/flow.csv");
+    let known: Vec<FlowRow> = stored(&csv, anew)?;
+    let mut rows: Vec<FlowRow> = Vec::new();
+    for trial in [Set::Calibration, Set::Report].map(flow_trials::trials).concat() {
+        let of_trial: Vec<FlowRow> = known.iter().filter(|row| row.trial() == trial).copied().collect();
+        rows.extend(if of_trial.is_empty() { trial.rows()? } else { trial.beside(&of_trial)? });
+        let is_done = |row: &FlowRow| rows.iter().any(|done| done.trial() == row.trial());
+        let rest = known.iter().filter(|row| !is_done(row));
+        store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
+    }
+    rewrite("docs/develop/trials.md", |page| flow_trials::written(page, &rows))
 }
 
 /// Compares the judge of scenes with whole bands solved at once: `docs/develop/trials.md`.

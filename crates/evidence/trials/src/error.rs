@@ -33,6 +33,12 @@ pub enum TrialError {
     /// A theory has no gap.
     #[error("computing a gap: {0}")]
     Gap(#[from] study::gap_law::GapError),
+    /// Flow through a gap cannot be solved.
+    #[error(transparent)]
+    Flow(#[from] transport::flow::FlowError),
+    /// A pressed surface has no field of gaps.
+    #[error(transparent)]
+    GapField(#[from] transport::GapFieldError),
     /// The judge cannot press its surfaces.
     #[error(transparent)]
     Judge(#[from] judge::JudgeError),

@@ -14,6 +14,7 @@ pub mod elements;
 mod error;
 pub mod flatness_trials;
 pub mod flattening_trials;
+pub mod flow_trials;
 pub mod gap_trials;
 pub mod judge_spectra;
 pub mod judge_trials;
