@@ -40,8 +40,8 @@ impl Factors {
         }
         triplets.extend((0..count as u32).map(|unknown| Triplet::new(unknown, unknown, 1.0)));
         let matrix = SparseColMat::<u32, f64>::try_new_from_triplets(count, count, &triplets)
-            .map_err(|_| FlowError::Singular)?;
-        let factors = matrix.sp_cholesky(Side::Lower).map_err(|_| FlowError::Singular)?;
+            .map_err(|_| FlowError::Stalled)?;
+        let factors = matrix.sp_cholesky(Side::Lower).map_err(|_| FlowError::Stalled)?;
         Ok(Factors { factors, scales, is_held })
     }
 

@@ -84,14 +84,9 @@ impl Flow {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FlowError {
-    /// The balance of the points could not be factorised.
+    /// Rounding kept the solution from its tolerance.
     #[error(
-        "flow through the gap: the balance of its points is singular; smooth the field, or raise gaps below 1e-6 of the mean gap to 0"
-    )]
-    Singular,
-    /// Rounding or the number of steps kept the solution from its tolerance.
-    #[error(
-        "flow through the gap: the balance of its points does not converge; smooth the field, or raise gaps below 1e-6 of the mean gap to 0"
+        "flow through the gap: the balance of its points does not converge; smooth the field, or set gaps below 1e-4 of the mean to 0"
     )]
     Stalled,
     /// The work was cancelled.
@@ -121,14 +116,12 @@ pub fn solve(
 ) -> Result<Flow, FlowError> {
     let network = Network::new(gap, direction, ends);
     let lattice = Lattice::new(gap.grid(), direction, ends);
-    let [first, second] = if network.count() <= DIRECT {
-        [Method::Direct, Method::Iterative]
-    } else {
-        [Method::Iterative, Method::Direct]
-    };
+    let is_small = network.count() <= DIRECT;
+    let first = if is_small { Method::Direct } else { Method::Iterative };
     match network.solve(&lattice, first, progress) {
-        Err(FlowError::Stalled | FlowError::Singular) if network.count() <= MOST_DIRECT => {
-            network.solve(&lattice, second, &NestedProgress(progress))
+        Err(FlowError::Stalled) if is_small => network.solve(&lattice, Method::Iterative, progress),
+        Err(FlowError::Stalled) if network.count() <= MOST_DIRECT => {
+            network.solve(&lattice, Method::Direct, &NestedProgress(progress))
         }
         solved => solved,
     }
@@ -137,7 +130,7 @@ pub fn solve(
 /// Solves the flow through a gap along one direction by a method, in [`PROGRESS_STEPS`] steps.
 ///
 /// # Errors
-/// As [`solve`]; [`FlowError::Stalled`] if the iteration does not reach its tolerance.
+/// As [`solve`]; [`FlowError::Stalled`] also where the other method would reach its tolerance.
 pub fn solve_by(
     method: Method,
     gap: &GapField<'_>,
@@ -201,9 +194,11 @@ impl Network {
             }
             Method::Iterative => {
                 let mut iteration = Iteration::new(self, progress);
-                let pressures = self.balanced(|load, power| iteration.solve(load, power))?;
-                iteration.report_end();
-                (pressures, iteration.steps)
+                let pressures = self.balanced(|load, power| iteration.solve(load, power));
+                if pressures != Err(FlowError::Cancelled) {
+                    iteration.report_end();
+                }
+                (pressures?, iteration.steps)
             }
         };
         Ok(self.flow(&pressures, lattice, iterations))
@@ -216,7 +211,7 @@ impl Network {
     ) -> Result<Vec<f64>, FlowError> {
         let mut pressures = vec![0.0; self.count()];
         for round in 0..MOST_ROUNDS {
-            let load: Vec<f64> = self.outflow(&pressures, 1.0).into_iter().map(|flow| -flow).collect();
+            let load: Vec<f64> = self.outflow(&pressures).into_iter().map(|flow| -flow).collect();
             let (power, residual) = (self.power(&pressures), norm(&load) / self.driven());
             let correction = solve(load, power)?;
             if round > 0 && residual <= TOLERANCE && correction.fall <= POWER_TOLERANCE * power {

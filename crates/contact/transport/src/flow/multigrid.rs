@@ -13,11 +13,20 @@ pub(super) struct Multigrid {
     levels: Vec<Level>,
 }
 
-/// Change from one grid to the next, with load and values of the next.
+/// Change from one grid to the next, and the vectors of the next.
 struct Level {
     change: Change,
+    coarse: Coarse,
+}
+
+/// Load and values of a grid, and the vectors of the iteration there.
+struct Coarse {
     load: Vec<f64>,
     values: Vec<f64>,
+    /// Values of the first step, and what flows out under those of both.
+    first: Vec<f64>,
+    outflow: Vec<f64>,
+    second_outflow: Vec<f64>,
 }
 
 enum Change {
@@ -32,10 +41,6 @@ struct Merging {
     resistances: Vec<f64>,
     /// Aggregate of each point.
     parents: Vec<u32>,
-    /// Values of the first step, and the outflows of both steps, of the iteration on this grid.
-    first: Vec<f64>,
-    outflow: Vec<f64>,
-    second_outflow: Vec<f64>,
 }
 
 impl Multigrid {
@@ -57,10 +62,7 @@ impl Multigrid {
 
     /// The graph above all grids; none without points.
     pub(super) fn graph(&self) -> Option<&Graph> {
-        self.levels.first().and_then(|level| match &level.change {
-            Change::Merging(merging) => Some(&merging.graph),
-            Change::Elimination(_) => None,
-        })
+        first_graph(&self.levels)
     }
 
     /// Approximates the values of a load.
@@ -71,66 +73,78 @@ impl Multigrid {
 
 impl Level {
     fn new(change: Change, next: usize) -> Self {
-        Level { change, load: vec![0.0; next], values: vec![0.0; next] }
+        let [load, values] = [(); 2].map(|()| vec![0.0; next]);
+        let coarse =
+            Coarse { load, values, first: Vec::new(), outflow: Vec::new(), second_outflow: Vec::new() };
+        Level { change, coarse }
     }
+}
+
+/// The graph of the first level, if its points are merged.
+fn first_graph(levels: &[Level]) -> Option<&Graph> {
+    levels.first().and_then(|level| match &level.change {
+        Change::Merging(merging) => Some(&merging.graph),
+        Change::Elimination(_) => None,
+    })
 }
 
 /// Approximates the values of a load: exactly at eliminated points; by a sweep forwards, the next grid, and a sweep backwards at
 /// merged ones.
 fn cycle(levels: &mut [Level], load: &[f64], values: &mut [f64]) {
-    let [Level { change, load: coarse_load, values: coarse_values }, coarser @ ..] = levels else { return };
+    let [Level { change, coarse }, coarser @ ..] = levels else { return };
     match change {
         Change::Elimination(elimination) => {
-            elimination.reduce(load, coarse_load);
-            iterate(coarser, coarse_load, coarse_values);
-            elimination.extend(load, coarse_values, values);
+            elimination.reduce(load, &mut coarse.load);
+            iterate(coarser, coarse);
+            elimination.extend(load, &coarse.values, values);
         }
         Change::Merging(merging) => {
             merging.sweep_forwards_from_zero(load, values);
-            merging.restrict(values, coarse_load);
-            iterate(coarser, coarse_load, coarse_values);
+            merging.restrict(values, &mut coarse.load);
+            iterate(coarser, coarse);
             for (value, &parent) in values.iter_mut().zip(&merging.parents) {
-                *value += coarse_values[parent as usize];
+                *value += coarse.values[parent as usize];
             }
             merging.sweep_backwards(load, values);
         }
     }
 }
 
-/// Approximates the values of a load; on merged points by one or two steps of flexible conjugate gradients, which overwrite the load.
-fn iterate(levels: &mut [Level], load: &mut [f64], values: &mut [f64]) {
-    let Some(Change::Merging(merging)) = levels.first_mut().map(|level| &mut level.change) else {
+/// Approximates the values of a load: by a cycle, or on merged points by at most two steps of flexible conjugate gradients, which
+/// overwrite the load.
+fn iterate(levels: &mut [Level], coarse: &mut Coarse) {
+    let Coarse { load, values, first, outflow, second_outflow } = coarse;
+    let apply = |levels: &[Level], values: &[f64], outflow: &mut Vec<f64>| {
+        outflow.resize(values.len(), 0.0);
+        if let Some(graph) = first_graph(levels) {
+            graph.apply(values, outflow);
+        }
+    };
+    if first_graph(levels).is_none() {
         cycle(levels, load, values);
         return;
-    };
-    let mut first = std::mem::take(&mut merging.first);
-    cycle(levels, load, &mut first);
-    // Always there: the first level is a merging.
-    let Some(Change::Merging(merging)) = levels.first_mut().map(|level| &mut level.change) else { return };
-    merging.graph.apply(&first, &mut merging.outflow);
-    let (energy, before) = (dot(&first, &merging.outflow), dot(load, load));
-    let length = if energy > 0.0 { dot(&first, load) / energy } else { 0.0 };
-    load.iter_mut().zip(&merging.outflow).for_each(|(load, outflow)| *load -= length * outflow);
-    let (mut one, mut two) = (length, 0.0);
-    if energy > 0.0 && dot(load, load) > ENOUGH * ENOUGH * before {
-        cycle(levels, load, values);
-        let Some(Change::Merging(merging)) = levels.first_mut().map(|level| &mut level.change) else {
-            return;
-        };
-        merging.graph.apply(values, &mut merging.second_outflow);
-        let (shared, fall) = (dot(values, &merging.outflow), dot(values, load));
-        let left = dot(values, &merging.second_outflow) - shared * shared / energy;
-        if left > 0.0 {
-            two = fall / left;
-            one -= shared * two / energy;
-        }
-    } else {
+    }
+    first.resize(load.len(), 0.0);
+    cycle(levels, load, first);
+    apply(levels, first, outflow);
+    let (energy, before) = (dot(first, outflow), dot(load, load));
+    if energy <= 0.0 {
         values.fill(0.0);
+        return;
     }
-    values.iter_mut().zip(&first).for_each(|(value, first)| *value = one * first + two * *value);
-    if let Some(Change::Merging(merging)) = levels.first_mut().map(|level| &mut level.change) {
-        merging.first = first;
+    let mut length = dot(first, load) / energy;
+    load.iter_mut().zip(&*outflow).for_each(|(load, outflow)| *load -= length * outflow);
+    if dot(load, load) <= ENOUGH * ENOUGH * before {
+        values.iter_mut().zip(&*first).for_each(|(value, first)| *value = length * first);
+        return;
     }
+    cycle(levels, load, values);
+    apply(levels, values, second_outflow);
+    let (shared, fall) = (dot(values, outflow), dot(values, load));
+    let left = dot(values, second_outflow) - shared * shared / energy;
+    let second = if left > 0.0 { fall / left } else { 0.0 };
+    length -= shared * second / energy;
+    values.iter_mut().zip(&*first).for_each(|(value, first)| *value = length * first + second * *value);
 }
 
 /// Sum of the products of two vectors, in eight partial sums.
@@ -150,8 +164,7 @@ impl Merging {
         let count = graph.count();
         let resistance = |conductance: f64| if conductance > 0.0 { conductance.recip() } else { 0.0 };
         let resistances = (0..count).map(|at| resistance(graph.conductance(at))).collect();
-        let [first, outflow, second_outflow] = [(); 3].map(|()| vec![0.0; count]);
-        Merging { graph, resistances, parents, first, outflow, second_outflow }
+        Merging { graph, resistances, parents }
     }
 
     /// Runs a Gauss-Seidel sweep from zero: later neighbours are still 0.

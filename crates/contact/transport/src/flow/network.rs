@@ -133,36 +133,19 @@ impl Network {
         }
     }
 
-    /// Sum of what flows out of each unknown under pressures, and under the mean gradient times a factor.
-    pub(super) fn outflow(&self, pressures: &[f64], gradient: f64) -> Vec<f64> {
+    /// Sum of what flows out of each unknown under pressures and the mean gradient.
+    pub(super) fn outflow(&self, pressures: &[f64]) -> Vec<f64> {
         let mut outflow = vec![0.0; self.count()];
-        self.add_outflow(pressures, gradient, &mut outflow);
+        for tie in self.ties() {
+            let flow = flow_through(&tie, pressures);
+            if tie.from != NONE {
+                outflow[tie.from as usize] += flow;
+            }
+            if tie.to != NONE {
+                outflow[tie.to as usize] -= flow;
+            }
+        }
         outflow
-    }
-
-    /// Adds what flows out of each unknown to `outflow`.
-    pub(super) fn add_outflow(&self, pressures: &[f64], gradient: f64, outflow: &mut [f64]) {
-        for &(to, conductance) in &self.inlets {
-            outflow[to as usize] -= conductance * (0.5 * gradient - pressures[to as usize]);
-        }
-        let ties = self.next.iter().zip(&self.along).zip(self.beside.iter().zip(&self.across));
-        for (at, ((&next, &along), (&beside, &across))) in ties.enumerate() {
-            let own = pressures[at];
-            let mut sum = 0.0;
-            if next != NONE {
-                let flow = along * (gradient + own - pressures[next as usize]);
-                sum += flow;
-                outflow[next as usize] -= flow;
-            } else {
-                sum += along * (0.5 * gradient + own);
-            }
-            if beside != NONE {
-                let flow = across * (own - pressures[beside as usize]);
-                sum += flow;
-                outflow[beside as usize] -= flow;
-            }
-            outflow[at] += sum;
-        }
     }
 
     /// Norm of the flow under the mean gradient alone: the scale of residuals.
@@ -177,7 +160,7 @@ impl Network {
 
     /// Flow under pressures. Its factor is the dissipated power, whose error is of second order in that of the pressures.
     pub(super) fn flow(&self, pressures: &[f64], lattice: &Lattice, iterations: usize) -> Flow {
-        let outflow = self.outflow(pressures, 1.0);
+        let outflow = self.outflow(pressures);
         let flow_factor = self.power(pressures) / lattice.power_of_slot();
         let mut flux = vec![[0.0; 2]; lattice.points];
         let mean = flow_factor * lattice.power_of_slot() / lattice.points as f64;

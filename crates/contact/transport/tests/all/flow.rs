@@ -220,6 +220,31 @@ fn narrow_gaps_between_pools_decide_though_a_million_million_times_tighter() {
 }
 
 #[test]
+fn fields_without_any_smoothness_converge() {
+    let mut state = 1u64;
+    let mut random = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64
+    };
+    for (rows, columns) in [(1, 200), (200, 1), (2, 150), (31, 37), (64, 64), (150, 97)] {
+        for decades in [0.0, 1.0, 2.0, 4.0] {
+            for closed in [0.0, 0.1, 0.3] {
+                let gaps_m: Vec<f64> = (0..rows * columns)
+                    .map(|_| if random() < closed { 0.0 } else { 10f64.powf(-decades * random()) })
+                    .collect();
+                let gap = GapField::new(grid(rows, columns), &gaps_m).unwrap();
+                for (direction, ends) in BOTH.into_iter().zip(ALL_ENDS) {
+                    let flow = solve(&gap, direction, ends, &Unobserved).unwrap();
+                    let other = factor_by(Method::Iterative, grid(rows, columns), &gaps_m, direction, ends);
+                    let case = format!("{rows} {columns} {decades} {closed} {direction:?}");
+                    assert!((flow.flow_factor - other).abs() <= 1e-8 * other, "{case}: {flow:?} {other}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn isotropic_log_normal_conductances_have_their_geometric_mean() {
     // Dykhne (1971), by duality; the mean of eight fields.
     for deviation in [0.5, 1.0] {
