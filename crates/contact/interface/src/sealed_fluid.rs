@@ -36,16 +36,22 @@ pub enum SealedFluid {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LeakUnit {
     /// Volume in cubic metres per second.
+    #[serde(rename = "m^3/s")]
     CubicMetrePerSecond,
     /// Volume in millilitres per minute.
+    #[serde(rename = "ml/min")]
     MillilitrePerMinute,
     /// Volume in cubic millimetres per second.
+    #[serde(rename = "mm^3/s")]
     CubicMillimetrePerSecond,
     /// Pressure times volume of a gas, in millibars times litres per second.
+    #[serde(rename = "mbar l/s")]
     MillibarLitrePerSecond,
     /// Pressure times volume of a gas, in pascals times cubic metres per second.
+    #[serde(rename = "Pa m^3/s")]
     PascalCubicMetrePerSecond,
     /// Mass of a gas, in grams per year of 365.25 days.
+    #[serde(rename = "g/year")]
     GramPerYear,
 }
 

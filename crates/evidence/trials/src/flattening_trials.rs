@@ -23,8 +23,7 @@ const LOADS: [f64; 3] = [0.003, 0.01, 0.03];
 /// Strengths over E*, of one spectrum after the other.
 const STRENGTHS: [f64; 3] = [0.001, 0.002, 0.004];
 /// Contact radii over sphere radius from which force and area are held; in the first the force is not.
-const HELD_FROM: [Option<f64>; 6] =
-    [None, Some(1.0), Some(0.6), Some(Flattening::HELD_FROM), Some(0.3), Some(0.2)];
+const HELD_FROM: [Option<f64>; 2] = [None, Some(Flattening::HELD_FROM)];
 
 /// Twenty-four spectra: those by which the radius was chosen, or those that were pressed afterwards.
 #[must_use]

@@ -263,9 +263,6 @@ pub fn written(page: &str, rows: &[GapRow]) -> Result<String, TrialError> {
         ]);
     };
     add("reported, A from 0.02 to 0.5".to_owned(), &moderate);
-    for kind in Kind::IN_BOTH_SETS {
-        add(kind.name().to_owned(), &|row| moderate(row) && row.kind == kind);
-    }
     for areas in &LIGHT {
         let name = format!("reported, A from {} to {}", areas.start(), areas.end());
         add(name, &|row| row.set() == Set::Report && areas.contains(&row.area_fraction));

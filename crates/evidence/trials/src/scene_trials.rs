@@ -259,7 +259,7 @@ pub fn written(page: &str, rows: &[SceneRow]) -> Result<String, TrialError> {
         let median = widths.get(widths.len() / 2).copied().unwrap_or(f64::NAN);
         vec![name.to_owned(), share(|row| row.is_judged), share(SceneRow::holds), three_digits(median)]
     };
-    let mut lines = vec![
+    let lines = [
         line("all", &|_| true),
         line("traces", &|row| !row.is_map),
         line("maps", &|row| row.is_map),
@@ -267,7 +267,6 @@ pub fn written(page: &str, rows: &[SceneRow]) -> Result<String, TrialError> {
         line("3 to 90 %", &|row| (0.03..=0.9).contains(&row.flowing)),
         line("more", &|row| row.flowing > 0.9),
     ];
-    lines.extend(FILES.map(|(file, ..)| line(&format!("`{file}`"), &|row| row.file == file)));
     let contents = table(&["scenes", "judged", "range holds", "median high/low"], &lines);
     with_section(page, "scenes", &contents).map_err(TrialError::Page)
 }
