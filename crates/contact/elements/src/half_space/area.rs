@@ -5,7 +5,7 @@ use crate::half_space::Grid;
 /// Contribution of the staircase around a spot to its area, as a share of its steps: (pi - 1 + ln 2)/24.
 ///
 /// Yastrebov, Anciaux & Molinari (2017), Tribology International 114, 161.
-const PERIMETER_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
+pub(crate) const PERIMETER_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 /// Count of points of one kind, with the number of changes between them and the others along rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq)]

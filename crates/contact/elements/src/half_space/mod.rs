@@ -80,5 +80,5 @@ pub use elements::{Elements, PROGRESS_STEPS};
 pub use error::HalfSpaceError;
 pub use grid::Grid;
 pub use loading::{Approach, Closing, Loading};
-pub use patches::{Patch, patches};
+pub use patches::{Patch, Places, patches, patches_with_places};
 pub use percolation::{OpenPaths, Sides, open_paths};

@@ -1,5 +1,6 @@
 //! Contact patches: connected regions of a map of contact.
 
+use crate::half_space::area::PERIMETER_SHARE;
 use crate::half_space::{Grid, HalfSpaceError};
 
 /// Connected region of points in contact.
@@ -9,10 +10,15 @@ pub struct Patch {
     pub points: usize,
     /// Area of these points \[m^2\].
     pub area_m2: f64,
+    /// Area less the contribution of the staircase at its outline, as the corrected area fraction leaves it out \[m^2\].
+    pub area_corrected_m2: f64,
     /// Length of their sides that face open points, or a free edge of the map \[m\]. An outline without preferred
     /// direction is shorter by pi/4, since sides run along rows and columns.
     pub perimeter_m: f64,
 }
+
+/// Column and row of each point of a patch.
+pub type Places = Vec<[i32; 2]>;
 
 /// Finds the patches of a map of contact, row by row, the largest first. Points belong together if one is beside the
 /// other in a row or a column; points that meet at a corner are apart. With `is_periodic` edges a patch goes on at the
@@ -21,6 +27,19 @@ pub struct Patch {
 /// # Errors
 /// [`HalfSpaceError`] for a map of another size than the grid.
 pub fn patches(grid: &Grid, is_periodic: bool, is_contact: &[bool]) -> Result<Vec<Patch>, HalfSpaceError> {
+    Ok(patches_with_places(grid, is_periodic, is_contact)?.into_iter().map(|(patch, _)| patch).collect())
+}
+
+/// Finds the patches of [`patches`] with the places of their points, each a column and a row. The places of a patch that goes on at
+/// the opposite edge of a periodic map run on beyond the edge.
+///
+/// # Errors
+/// [`HalfSpaceError`] for a map of another size than the grid.
+pub fn patches_with_places(
+    grid: &Grid,
+    is_periodic: bool,
+    is_contact: &[bool],
+) -> Result<Vec<(Patch, Places)>, HalfSpaceError> {
     grid.check_size(is_contact.len())?;
     let (rows, columns) = (grid.rows(), grid.columns());
     let (step_x_m, step_y_m) = (grid.length_x_m() / columns as f64, grid.length_y_m() / rows as f64);
@@ -32,35 +51,38 @@ pub fn patches(grid: &Grid, is_periodic: bool, is_contact: &[bool]) -> Result<Ve
         if std::mem::replace(&mut is_counted[first], true) {
             continue;
         }
-        front.push(first);
-        let (mut points, mut sides_x, mut sides_y) = (0usize, 0usize, 0usize);
-        while let Some(at) = front.pop() {
-            points += 1;
+        front.push((first, [(first % columns) as i32, (first / columns) as i32]));
+        let (mut places, mut sides_x, mut sides_y) = (Vec::new(), 0usize, 0usize);
+        while let Some((at, place)) = front.pop() {
+            places.push(place);
             let (row, column) = (at / columns, at % columns);
             let beside = neighbours(column, columns, is_periodic)
                 .map(|side| side.map(|column| row * columns + column));
             let above = neighbours(row, rows, is_periodic).map(|side| side.map(|row| row * columns + column));
-            // A side towards a neighbour in the row runs along y.
-            for (next, sides) in
-                beside.into_iter().map(|next| (next, true)).chain(above.map(|next| (next, false)))
-            {
+            let steps = [[-1, 0], [1, 0], [0, -1], [0, 1]];
+            for (next, step) in beside.into_iter().chain(above).zip(steps) {
                 match next.filter(|&next| is_contact[next]) {
                     Some(next) if is_counted[next] => {}
                     Some(next) => {
                         is_counted[next] = true;
-                        front.push(next);
+                        front.push((next, [place[0] + step[0], place[1] + step[1]]));
                     }
-                    None => *(if sides { &mut sides_y } else { &mut sides_x }) += 1,
+                    // A side towards a neighbour in the row runs along y.
+                    None => *(if step[1] == 0 { &mut sides_y } else { &mut sides_x }) += 1,
                 }
             }
         }
-        found.push(Patch {
-            points,
-            area_m2: points as f64 * step_x_m * step_y_m,
+        let (points, sides) = (places.len() as f64, (sides_x + sides_y) as f64);
+        let staircase = if grid.is_line() { 0.0 } else { PERIMETER_SHARE * sides };
+        let patch = Patch {
+            points: places.len(),
+            area_m2: points * step_x_m * step_y_m,
+            area_corrected_m2: (points - staircase) * step_x_m * step_y_m,
             perimeter_m: sides_x as f64 * step_x_m + sides_y as f64 * step_y_m,
-        });
+        };
+        found.push((patch, places));
     }
-    found.sort_by_key(|patch| std::cmp::Reverse(patch.points));
+    found.sort_by_key(|(patch, _)| std::cmp::Reverse(patch.points));
     Ok(found)
 }
 
