@@ -25,6 +25,8 @@ pub mod rows;
 mod sampling;
 mod scene_run;
 mod spectrum;
+#[cfg(feature = "transport")]
+pub mod spots;
 mod states;
 mod tangential;
 mod uncertain_areas;

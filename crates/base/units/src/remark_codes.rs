@@ -324,6 +324,11 @@ remark_codes! {
          between walls";
     ClosedGaps "flow.closed" Note
         "{closed} of {points} points are closed[, {missing} of them because they are missing][, {tiny} with a gap below 1e-5 of the mean gap]";
+    Spots "pressed.spots" Note
+        "{spots|spot} on {area%} of the area; the largest share of the current through one is {share%}";
+    SpotsOutOfRange "pressed.spots" Note
+        "{out} of {contacts|contact}: resistance_ohm is that from the stiffness, since the spots lie too close for discs";
+    SpotsUnsolved "pressed.spots" Note "{reason}";
     BallCoarseGrid "ball.coarse-grid" Note
         "Hertz's radius has {points_per_radius} points of the grid, and 8 are needed for an answer";
     BallNarrowMap "ball.narrow-map" Note

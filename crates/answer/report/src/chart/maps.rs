@@ -111,6 +111,15 @@ impl FieldPicture {
         Self::new(&title, size_m, [&ends[0], &ends[1]], columns, colours, None)
     }
 
+    /// Draws the share of the current through the spot of each point, white between spots.
+    #[must_use]
+    pub fn of_current(field: &ContactField<'_>, shares: &[f64]) -> Self {
+        let title =
+            format!("share of the current through each spot at {}", pressure(field.nominal_pressure_pa));
+        let relief = field.relief;
+        Self::of_values(&title, shares, 0.0, [relief.length_x_m, relief.length_y_m], relief.columns, percent)
+    }
+
     /// Colours values above `nothing` up to the largest finite one, on a rectangle of a size in m.
     fn of_values(
         title: &str,

@@ -7,11 +7,12 @@ use clap::Args as ClapArgs;
 use elements::{Boundary, RandomChoices, SpecimenCompliance};
 use measurements::ScanRequest;
 use questions::flow::FlowEdges;
+use questions::spots::SpotsInput;
 use questions::{BranchChoice, LoadInput, MaterialInput, RandomInput};
 use spectrum::random_surfaces::Phases;
 use study::measured::Kind;
 use topography::Detrend;
-use units::{Force, ForcePerLength, Length, Pressure, PressureRange, WorkOfAdhesion};
+use units::{Force, ForcePerLength, Length, Pressure, PressureRange, Resistivity, WorkOfAdhesion};
 
 use super::groups::{BodiesArgs, FigureArg, ReadingArgs};
 use super::layer::LayerArgs;
@@ -20,7 +21,7 @@ use super::scans::{FileDefaults, MapTreatmentArgs};
 
 /// Options that count no adhesion. clap demands no required option that conflicts with a given one, so that each option of
 /// adhesion conflicts with these itself.
-const NOT_ADHESIVE: [&str; 9] = [
+const NOT_ADHESIVE: [&str; 14] = [
     "saturation",
     "ball_radius",
     "force",
@@ -30,6 +31,11 @@ const NOT_ADHESIVE: [&str; 9] = [
     "patches",
     "flow",
     "flow_edges",
+    "spots",
+    "resistivity",
+    "counterface_resistivity",
+    "film_resistance",
+    "mean_free_path",
 ];
 
 /// A surface, how it is pressed, and what is written.
@@ -92,6 +98,8 @@ pub(crate) struct BemArgs {
     #[arg(long, value_name = "FILE")]
     pub patches: Option<PathBuf>,
     #[command(flatten)]
+    pub spots: SpotsArgs,
+    #[command(flatten)]
     pub figure: FigureArg,
     #[command(flatten)]
     pub material: BodiesArgs,
@@ -103,6 +111,27 @@ pub(crate) struct BemArgs {
     pub random: RandomArgs,
     #[command(flatten)]
     pub reading: ReadingArgs,
+}
+
+/// Current through the contact.
+#[derive(Debug, ClapArgs)]
+pub(crate) struct SpotsArgs {
+    /// A file for a table of the spots, each with its place, radius and share of the current. The other table then ends with spots,
+    /// largest_share, resistance_ohm, resistance_from_stiffness_ohm and resistance_from; --fields draws the spots
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["ball_radius", "cylinder_radius"])]
+    pub spots: Option<PathBuf>,
+    /// Electrical resistivity of the rough body; that of the table of materials where not given
+    #[arg(long, value_name = "RHO", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
+    pub resistivity: Option<Resistivity>,
+    /// Electrical resistivity of the counterface
+    #[arg(long, value_name = "RHO", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
+    pub counterface_resistivity: Option<Resistivity>,
+    /// Specific resistance of a film between the bodies, such as an oxide, in ohm m^2, as 1e-12
+    #[arg(long, value_name = "OHM_M2", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
+    pub film_resistance: Option<f64>,
+    /// Mean free path of electrons: spots below it conduct less (Sharvin)
+    #[arg(long, value_name = "L", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
+    pub mean_free_path: Option<Length>,
 }
 
 /// The loads on elements, which may pull if the surfaces attract each other.
@@ -138,6 +167,19 @@ pub(crate) struct MapArgs {
 }
 
 impl BemArgs {
+    /// How the bodies conduct, as questions take it.
+    pub fn spots_input(&self) -> SpotsInput {
+        let SpotsArgs { resistivity, counterface_resistivity, film_resistance, mean_free_path, .. } =
+            self.spots;
+        let given = SpotsInput {
+            resistivity_ohm_m: resistivity.map(|resistivity| resistivity.ohm_m),
+            counterface_resistivity_ohm_m: counterface_resistivity.map(|resistivity| resistivity.ohm_m),
+            film_resistance_ohm_m2: film_resistance,
+            mean_free_path_m: mean_free_path.map(|path| path.m),
+        };
+        given.filled_from(self.material.named.material.as_ref(), self.material.named.on.as_ref())
+    }
+
     /// The material as questions take it.
     pub fn material(&self) -> MaterialInput {
         MaterialInput { layer: self.layer.input(), ..self.material.input() }

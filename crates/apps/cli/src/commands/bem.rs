@@ -7,6 +7,7 @@ use elements::half_space::HalfSpaceError;
 use elements::{Boundary, ContactField, ElementsError, IndenterShape, Relief, Surfaces};
 use measurements::{ScanProblem, ScanRequest, TopographyError};
 use questions::flow::{GapFlow, PressedFlow};
+use questions::spots::PressedSpots;
 use questions::{
     AdhesionQuestion, Answer, ElementsLoad, ElementsQuestion, IndenterQuestion, Prepared, QuestionError,
     relief_of_map,
@@ -59,6 +60,8 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         compliance: args.map.compliance,
     };
     question.check()?;
+    let spots_file = args.spots.spots.clone();
+    let spots = spots_file.as_ref().map(|_| PressedSpots::new(&args.spots_input(), &question)).transpose()?;
     let mut timings = Timings::start();
     let boundary = args.map.boundary;
     let (prepared, comments) =
@@ -75,19 +78,30 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
             patches.lock().unwrap_or_else(PoisonError::into_inner).push(found);
         }
         let flow = flow.as_ref().map(|flow| flow.solve(field, &progress)).transpose()?;
+        let shares = spots.as_ref().map(|spots| spots.solve(field)).transpose()?.flatten();
         match &fields {
-            Some(fields) => fields.stage(field, flow, &files),
+            Some(fields) => fields.stage(field, flow, shares, &files),
             None => Ok(()),
         }
     };
     let (mut pressed, mut notes) = prepared.answer::<Failure>(see, &progress)?;
     drop(progress);
     timings.lap("pressing");
-    let table = match flow {
+    let mut table = match flow {
         Some(flow) => flow.table(&mut pressed, &mut notes, args.per_realisation),
         None if args.per_realisation => elements::states_table(&pressed),
         None => elements::means_table(&pressed),
     };
+    let mut tables = Vec::new();
+    if let Some((spots, path)) = spots.zip(spots_file) {
+        let [with_resistances, of_spots] = spots.tables(table, &pressed, &mut notes, args.per_realisation)?;
+        table = with_resistances;
+        tables.push((of_spots, path));
+    }
+    if let Some(path) = &args.patches {
+        let patches = patches.into_inner().unwrap_or_else(PoisonError::into_inner);
+        tables.push((elements::patches_table(patches), path.clone()));
+    }
     say_all(&notes, &Flags);
     let mut files = files.into_inner().unwrap_or_else(PoisonError::into_inner);
     if let Some(picture) = &args.figure.figure {
@@ -95,10 +109,8 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
         context.stage_picture(&mut files, picture, &figure, &args.surface.path, &comments)?;
     }
     context.stage_table(&mut files, &context.shared.output, context.wanted(&comments), &table)?;
-    if let Some(path) = &args.patches {
-        let table = elements::patches_table(patches.into_inner().unwrap_or_else(PoisonError::into_inner));
-        let place = Place::File(path.clone());
-        context.stage_table(&mut files, &place, context.wanted(&comments), &table)?;
+    for (table, path) in tables {
+        context.stage_table(&mut files, &Place::File(path), context.wanted(&comments), &table)?;
     }
     context.finish(files, timings)
 }
@@ -203,6 +215,7 @@ fn load(args: &BemArgs, context: &Context<'_>) -> Result<(Measured, Vec<String>)
     let foreign = |kind: Kind| Remark::new(RemarkCode::OtherKindOfFile).with("kind", kind.to_string());
     announce_figure(args.figure.figure.as_ref())?;
     announce("--patches", args.patches.clone().map(Place::File))?;
+    announce("--spots", args.spots.spots.clone().map(Place::File))?;
     let folder = Folder::current();
     let found = Measured::load(&complete(&args.surface), &folder, &options).map_err(|error| match error {
         SurfaceError::Scans(TopographyError {
@@ -309,11 +322,13 @@ impl FieldFiles {
         Ok(FieldFiles { folder: folder.to_owned(), _made: new_folder("--fields", folder)? })
     }
 
-    /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures, with the flow four.
+    /// Writes one surface under one load aside: `load-1-surface-1.nc`, and two pictures, with the flow two more, with shares of the
+    /// current one more.
     fn stage(
         &self,
         field: &ContactField<'_>,
         flow: Option<GapFlow>,
+        shares: Option<Vec<f64>>,
         files: &Mutex<StagedFiles>,
     ) -> Result<(), Failure> {
         let stem = format!("load-{}-surface-{}", field.load + 1, field.surface + 1);
@@ -329,6 +344,7 @@ impl FieldFiles {
                 pictures.push((name, picture));
             }
         }
+        pictures.extend(shares.map(|shares| ("current", FieldPicture::of_current(field, &shares))));
         let mut contents = Vec::new();
         for (what, picture) in pictures {
             if let Some(bytes) = png_of_field(&picture).map_err(|error| Failure::System(error.to_string()))? {

@@ -242,7 +242,7 @@ pub struct FieldSpots {
     pub nominal_pressure_pa: f64,
     /// Nominal area of the map \[m^2\].
     pub nominal_area_m2: f64,
-    /// Area that touches, in points \[m^2\].
+    /// Area that touches, without the staircase at its outlines \[m^2\].
     pub touching_area_m2: f64,
     /// Contact modulus E* \[Pa\].
     pub contact_modulus_pa: f64,
@@ -278,8 +278,8 @@ impl FieldSpots {
     /// the resistance.
     pub fn new(field: &ContactField<'_>, conduction: SpotConduction) -> Result<Self, SpotsError> {
         let (grid, outline) = (field.relief.grid()?, field.relief.outline()?);
-        let is_contact: Vec<bool> = field.states().map(|state| state != PointState::Open).collect();
-        let touching = is_contact.iter().filter(|is_contact| **is_contact).count() as f64;
+        let is_contact = is_contact(field);
+        let touching_m2 = field.patches()?.patches.iter().map(|patch| patch.area_corrected_m2).sum();
         let solved = Spots::solve(&grid, field.relief.boundary, &is_contact, outline.share(), &conduction);
         match solved {
             Err(error @ (SpotsError::Grid(_) | SpotsError::Line)) => Err(error),
@@ -288,12 +288,32 @@ impl FieldSpots {
                 surface: field.surface,
                 nominal_pressure_pa: field.nominal_pressure_pa,
                 nominal_area_m2: outline.area_m2(),
-                touching_area_m2: touching / grid.points() as f64 * grid.length_x_m() * grid.length_y_m(),
+                touching_area_m2: touching_m2,
                 contact_modulus_pa: field.contact_modulus_pa,
                 conduction,
                 solved,
             }),
         }
+    }
+
+    /// Returns the share of the current through the spot of each point of the field, row by row, 0 between spots; `None` if the spots
+    /// were not solved.
+    ///
+    /// # Errors
+    /// [`SpotsError`] for a field of another size than its grid.
+    pub fn shares_at_points(&self, field: &ContactField<'_>) -> Result<Option<Vec<f64>>, SpotsError> {
+        let Ok(solved) = &self.solved else { return Ok(None) };
+        let (grid, is_contact) = (field.relief.grid()?, is_contact(field));
+        let mut shares = vec![0.0; grid.points()];
+        let patches = patches_with_places(&grid, field.relief.boundary == Boundary::Periodic, &is_contact)?;
+        for (spot, (_, places)) in solved.spots.iter().zip(patches) {
+            for [column, row] in places {
+                let [column, row] =
+                    [column.rem_euclid(grid.columns() as i32), row.rem_euclid(grid.rows() as i32)];
+                shares[row as usize * grid.columns() + column as usize] = spot.current_share;
+            }
+        }
+        Ok(Some(shares))
     }
 
     /// Returns the resistance by Barber's analogy from the stiffness \[Pa/m\] of the surface \[ohm\], with film and ballistic electrons
@@ -324,4 +344,9 @@ impl FieldSpots {
             (_, None) => Ok(None),
         }
     }
+}
+
+/// Returns for each point of a field, row by row, true if it is in contact.
+fn is_contact(field: &ContactField<'_>) -> Vec<bool> {
+    field.states().map(|state| state != PointState::Open).collect()
 }
