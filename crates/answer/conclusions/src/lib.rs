@@ -16,6 +16,7 @@ mod next;
 mod publications;
 mod seal;
 mod shear;
+mod spots;
 mod stickiness;
 
 pub use area::{AreaEstimate, OfInputs, Source};
@@ -30,6 +31,7 @@ pub use next::NextStep;
 pub use publications::Publication;
 pub use seal::{LeakInUnit, SealClosing, SealConclusion, SealUnderLoad, SealVerdict};
 pub use shear::ShearConclusion;
+pub use spots::SpotsUnderLoad;
 
 use serde::Serialize;
 use units::Remark;

@@ -10,6 +10,7 @@ use super::compared_models::{ModelCell, ReferenceGroup, Tally, groups, leading_r
 use super::estimate::{Estimate, OtherHardness};
 use super::evidence::Evidence;
 use super::seal::SealUnderLoad;
+use super::spots::SpotsUnderLoad;
 use super::stickiness::stickiness;
 
 /// The conclusion for a load.
@@ -37,6 +38,9 @@ pub struct AnswerUnderLoad {
     pub seal: Option<SealUnderLoad>,
     /// The quantities of the interface that the scene asks for.
     pub asked: Vec<AskedValue>,
+    /// The spots that conduct on a measured map, if the scene asks for current.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spots: Option<SpotsUnderLoad>,
 }
 
 /// Returns the load that stands for all: the one in the middle of those whose area was compared with elements, or of all where none was.
@@ -89,6 +93,7 @@ impl AnswerUnderLoad {
             asked: states.map_or_else(Vec::new, |states| {
                 Questions { states, uncertainty, load, area: &area }.answers()
             }),
+            spots: states.and_then(|states| SpotsUnderLoad::new(evidence, states, load)),
             references,
         })
     }

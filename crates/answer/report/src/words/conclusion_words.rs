@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use conclusions::{
     AnswerUnderLoad, AreaEstimate, AskedValue, Cause, Conclusions, LeakInUnit, ModelCell, NextStep, OfInputs,
-    OtherHardness, PeakState, SealVerdict, ShearConclusion, Source, foremost,
+    OtherHardness, PeakState, SealVerdict, ShearConclusion, Source, SpotsUnderLoad, foremost,
 };
 use judge::{Reference, Verdict};
 use scene::Scene;
@@ -283,7 +283,12 @@ fn asked_rows(conclusions: &Conclusions, load: &AnswerUnderLoad) -> Vec<(&'stati
     let at = format!("{at}{}", without_adhesion(load));
     let leak = load.seal.and_then(|seal| seal.leak_rate);
     let leak = leak.map(|leak| ("Leaks", format!("{}{}{at}", leak_words(&leak), few_waves(conclusions))));
-    let asked = load.asked.iter().map(|asked| (asked_heading(asked.quantity), asked_words(asked, &at)));
+    let asked = load.asked.iter().map(|asked| {
+        let heading = asked_heading(asked.quantity);
+        let is_of_current = matches!(heading, "Current" | "Resistance");
+        let spots = load.spots.filter(|_| is_of_current).map_or_else(String::new, spots_words);
+        (heading, format!("{}{spots}", asked_words(asked, &at)))
+    });
     let shear = conclusions.shear.iter().find(|shear| shear.load == load.load);
     let shear = shear.map(|shear| ("Shear", format!("{}{at}", shear_words(shear))));
     leak.into_iter().chain(asked).chain(shear).collect()
@@ -332,6 +337,16 @@ fn asked_words(asked: &AskedValue, at: &str) -> String {
     let flat = flat.filter(|flat| Some(flat) != value.as_ref()).map(|flat| format!("; {flat} if flat"));
     let words: Vec<String> = value.map(|value| format!("{value}{at}")).into_iter().chain(range).collect();
     format!("{}{state}{}", words.join(", "), flat.unwrap_or_default())
+}
+
+/// `; 31 spots on the map of 1 mm x 1 mm, the largest carries 18 %; about 3100 on the nominal area`.
+fn spots_words(spots: SpotsUnderLoad) -> String {
+    let [x, y] = spots.map_m.map(length);
+    let all = spots.on_nominal_area.filter(|all| *all > spots.on_map as f64);
+    let all =
+        all.map_or_else(String::new, |all| format!("; about {} on the nominal area", three_digits(all)));
+    let on_map = counted(spots.on_map, "spot");
+    format!("; {on_map} on the map of {x} x {y}, the largest carries {}{all}", percent(spots.largest_share))
 }
 
 /// The response to a tangential load: `2.1 nm, 310 µJ/m² lost per cycle (50 % of sliding)`.

@@ -292,6 +292,31 @@ fn patches_of_every_surface_make_up_its_area() {
 }
 
 #[test]
+fn spots_conduct_and_a_film_adds_its_resistance() {
+    let bench = with_spectrum();
+    let run = |options: &[&str]| {
+        let random = ["--realisations=1", "--pressure=30kPa", "--spots=spots.csv", "--fields=fields"];
+        let bodies = ["--resistivity=2e-8 ohm m", "--counterface-resistivity=6e-8 ohm m"];
+        bench.run(&call(&[&SURFACES, &random, &bodies, options])).ok()
+    };
+    let bare = run(&[]);
+    let [resistance, from_stiffness] =
+        ["resistance_ohm", "resistance_from_stiffness_ohm"].map(|name| numbers(&bare, name)[0]);
+    assert!((resistance / from_stiffness - 1.0).abs() < 0.1, "{resistance} {from_stiffness}");
+    assert_eq!(column(&bare, "resistance_from"), ["spots"]);
+    let spots = bench.read("spots.csv");
+    let [shares, areas] = ["current_share", "area_m2"].map(|name| numbers(&spots, name));
+    assert_eq!(numbers(&bare, "spots"), [shares.len() as f64]);
+    assert_eq!(numbers(&bare, "largest_share")[0], shares.iter().copied().fold(0.0, f64::max));
+    assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    assert!(std::fs::exists(bench.path("fields/load-1-surface-1-current.png")).unwrap());
+    // A film of a large resistance conducts by area.
+    let film = run(&["--film-resistance=1", "--mean-free-path=40nm"]);
+    let by_area = 1.0 / areas.iter().sum::<f64>();
+    assert!((numbers(&film, "resistance_ohm")[0] / by_area - 1.0).abs() < 1e-6);
+}
+
+#[test]
 fn odd_sides_and_single_rows_are_pressed_without_a_coarser_grid() {
     for (columns, rows) in [(33, 17), (32, 15)] {
         let bench = with_waves(columns, rows);
