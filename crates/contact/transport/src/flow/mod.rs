@@ -64,7 +64,7 @@ pub enum Ends {
 pub struct Flow {
     /// Flow factor phi >= 0; exactly 0 where no path leads through.
     pub flow_factor: f64,
-    /// Relative residual of the balance of every point; 0 where no path leads through.
+    /// Relative residual of the balance of every point, 1e-8 or what rounding leaves of it at most; 0 where no path leads through.
     pub residual: f64,
     /// Steps of the iteration; 0 for a direct solution.
     pub iterations: usize,
@@ -212,9 +212,10 @@ impl Network {
         let mut pressures = vec![0.0; self.count()];
         for round in 0..MOST_ROUNDS {
             let load: Vec<f64> = self.outflow(&pressures).into_iter().map(|flow| -flow).collect();
-            let (power, residual) = (self.power(&pressures), norm(&load) / self.driven());
+            let (power, residual) = (self.power(&pressures), norm(&load));
+            let least = f64::max(TOLERANCE * self.driven(), self.rounding(&pressures));
             let correction = solve(load, power)?;
-            if round > 0 && residual <= TOLERANCE && correction.fall <= POWER_TOLERANCE * power {
+            if round > 0 && residual <= least && correction.fall <= POWER_TOLERANCE * power {
                 return Ok(pressures);
             }
             let corrected = pressures.iter_mut().zip(correction.pressures);

@@ -153,6 +153,19 @@ impl Network {
         self.ties().map(|tie| (tie.conductance * tie.fall).powi(2)).sum::<f64>().sqrt()
     }
 
+    /// Norm of what rounding leaves of the balance of the unknowns, at most.
+    pub(super) fn rounding(&self, pressures: &[f64]) -> f64 {
+        let mut sizes = vec![0.0; self.count()];
+        let size = |unknown: u32| if unknown == NONE { 0.0 } else { pressures[unknown as usize].abs() };
+        for tie in self.ties() {
+            let whole = tie.conductance * (tie.fall + size(tie.from) + size(tie.to));
+            for unknown in [tie.from, tie.to].into_iter().filter(|&unknown| unknown != NONE) {
+                sizes[unknown as usize] += whole;
+            }
+        }
+        f64::EPSILON * norm(&sizes)
+    }
+
     /// Power that the flow dissipates under pressures and the mean gradient.
     pub(super) fn power(&self, pressures: &[f64]) -> f64 {
         self.ties().map(|tie| flow_through(&tie, pressures).powi(2) / tie.conductance).sum()

@@ -245,6 +245,19 @@ fn fields_without_any_smoothness_converge() {
 }
 
 #[test]
+fn points_far_closer_along_one_side_leave_the_factor_exact() {
+    let gaps_m = pressed_like(90, 90, 0.2, 3);
+    for ratio in [1e-4, 1e-2, 1e2, 1e4] {
+        let grid = Grid::new(90, 90, 1.0, ratio).unwrap();
+        for (direction, ends) in BOTH.into_iter().zip(ALL_ENDS) {
+            let [direct, iterative] =
+                METHODS.map(|method| flow_by(method, grid, &gaps_m, direction, ends).flow_factor);
+            assert!((iterative / direct - 1.0).abs() < 1e-9, "{ratio} {direction:?}: {iterative} {direct}");
+        }
+    }
+}
+
+#[test]
 fn isotropic_log_normal_conductances_have_their_geometric_mean() {
     // Dykhne (1971), by duality; the mean of eight fields.
     for deviation in [0.5, 1.0] {
