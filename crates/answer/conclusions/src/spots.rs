@@ -16,12 +16,12 @@ pub struct SpotsUnderLoad {
     pub largest_share: f64,
     /// Sides of the map along x and y \[m\].
     pub map_m: [f64; 2],
-    /// Resistance of these spots on the nominal area \[ohm\]; `None` if no area is given.
+    /// Resistance of these spots on the nominal area \[ohm\]; `None` if no area is given, or if they lie too close for discs.
     pub resistance_ohm: Option<f64>,
 }
 
 impl SpotsUnderLoad {
-    /// Finds the spots under a load; `None` unless current is asked for, and a map was pressed whose spots are in range.
+    /// Finds the spots under a load; `None` unless current is asked for, and a map was pressed.
     #[cfg(feature = "transport")]
     pub(crate) fn new(evidence: &Evidence<'_>, states: &InterfaceStates<'_>, load: usize) -> Option<Self> {
         use elements::{Boundary, half_space::Grid};
@@ -36,12 +36,13 @@ impl SpotsUnderLoad {
         // Maps are pressed as if they repeated themselves.
         let found = Spots::solve(&grid, Boundary::Periodic, touching, 1.0, &conduction).ok()?;
         let maps = states.request.nominal_area_m2.map(|area_m2| area_m2 / (map_m[0] * map_m[1]));
-        found.is_in_range.then(|| SpotsUnderLoad {
+        let resistance_ohm = maps.map(|maps| found.resistance_ohm / maps).filter(|_| found.is_in_range);
+        Some(SpotsUnderLoad {
             on_map: found.spots.len(),
             on_nominal_area: maps.map(|maps| maps * found.spots.len() as f64),
             largest_share: found.largest_share(),
             map_m,
-            resistance_ohm: maps.map(|maps| found.resistance_ohm / maps),
+            resistance_ohm,
         })
     }
 

@@ -173,3 +173,43 @@ fn idle_keys_and_doubts_are_told_and_the_scene_runs() {
     assert_names(&said, &["lastic at 54 MPa is 9.42 H, above the hardness H = 5.4 GPa"]);
     assert_names(&bench.read("s-results/report.html"), &["H = 5.4 GPa"]);
 }
+
+#[test]
+fn a_scene_with_a_map_and_a_force_says_through_how_many_spots_its_current_flows() {
+    let bench = Bench::new();
+    let height = |x: usize, y: usize| {
+        let [x, y] = [x, y].map(|at| at as f64 * std::f64::consts::TAU / 64.0);
+        (2.0 * x).sin()
+            + (2.0 * y + 0.7).cos()
+            + 0.3 * (7.0 * x + 3.0 * y).cos()
+            + 0.2 * (5.0 * y - 6.0 * x).sin()
+    };
+    let row = |y| (0..64).map(|x| format!("{:.6}", 0.05 * height(x, y))).collect::<Vec<_>>().join(" ");
+    bench.write("map.txt", (0..64).map(row).collect::<Vec<_>>().join("\n"));
+    let scene = r#"
+title = "silver"
+[surface]
+scans = [{ file = "map.txt", unit = "um", size = "100 um" }]
+[material]
+name = "silver"
+[counterface]
+name = "silver"
+[loads]
+force = "0.5 N"
+nominal_area = "1 mm^2"
+[[curve]]
+model = "persson"
+"#;
+    let summary = bench.write("s.toml", scene).run(&["run", "s.toml", "--out", "o"]).ok();
+    let answer: serde_json::Value = serde_json::from_str(&bench.read("o/answer.json")).unwrap();
+    let spots = &answer["loads"][0]["spots"];
+    let number = |key: &str| spots[key].as_f64().unwrap_or_else(|| panic!("{key}: {spots}\n{summary}"));
+    assert!((number("on_nominal_area") / number("on_map") - 100.0).abs() < 1e-6);
+    assert!((0.0..1.0).contains(&number("largest_share")));
+    // That from the stiffness, of the same map.
+    let asked = answer["loads"][0]["asked"].as_array().unwrap();
+    let resistance = asked.iter().find(|asked| asked["quantity"] == "electrical-resistance").unwrap();
+    let ratio = number("resistance_ohm") / resistance["value"].as_f64().unwrap();
+    assert!((ratio - 1.0).abs() < 0.1, "{ratio} {answer}");
+    assert_names(&summary, &["spots on the map of 100 µm x 100 µm, the largest carries"]);
+}

@@ -10,7 +10,9 @@
 //! outline: ellipses of 1:2 come out high by 3 %, of 1:10 low by 4.5 %. Over Barber's (2003) resistance, from the stiffness of the
 //! elements on the same map, the result lies at 0.99 to 1.03 for areas up to 0.07, at 0.97 to 0.98 at 0.13, at 0.94 to 0.96 at 0.19, at
 //! 0.87 to 0.90 at 0.31 and at 0.57 to 0.69 at 0.47, on periodic random surfaces of 12 spectra; with free edges at 0.99 to 1.02 up to
-//! 0.41 (`examples/spots_against_stiffness.rs`). Beyond the range of [`largest_area_fraction`] Barber's value is the answer.
+//! 0.41 (`examples/spots_against_stiffness.rs`). Beyond the range of [`largest_area_fraction`] Barber's value is the answer. The share of
+//! the current through a spot was within 6 % of that of the elements for every spot that carries 0.5 % or more, for areas from 0.05 to
+//! 0.42.
 
 mod lattice;
 mod pieces;
