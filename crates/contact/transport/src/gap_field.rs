@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
+use elements::ContactField;
 use elements::half_space::{Grid, HalfSpaceError};
-use elements::{ContactField, PointState};
 use thiserror::Error;
 
 /// Share of the mean gap below which a gap counts as closed: 1e-15 of the mean conductance, less than rounding leaves of a flow.
@@ -48,10 +48,7 @@ impl<'g> GapField<'g> {
     /// # Errors
     /// [`GapFieldError`] for a field of another size than its grid.
     pub fn from_contact(field: &ContactField<'g>) -> Result<Self, GapFieldError> {
-        let open = field.states().zip(field.gaps_m);
-        let gaps_m: Vec<f64> =
-            open.map(|(state, &gap_m)| if state == PointState::Open { gap_m } else { 0.0 }).collect();
-        Self::new(field.relief.grid()?, gaps_m)
+        Self::new(field.relief.grid()?, field.closed_gaps_m())
     }
 
     /// The grid.
