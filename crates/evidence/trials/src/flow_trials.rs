@@ -28,7 +28,7 @@ use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, TrialLoad, WaveBand};
 /// Loads p/(E* h') of the trials, from an area of 0.02 to one of 0.4.
 const LOADS: [f64; 8] = [0.01, 0.025, 0.05, 0.08, 0.11, 0.14, 0.17, 0.205];
 /// Loads of the lines for narrow boxes and stretched waves.
-const NARROW_LOADS: [f64; 3] = [0.025, 0.08, 0.14];
+const NARROW_LOADS: [f64; 2] = [0.025, 0.08];
 const BOTH: [Direction; 2] = [Direction::X, Direction::Y];
 /// Surfaces of each trial.
 const SURFACES: u64 = 4;
