@@ -9,7 +9,7 @@ use numerics::parallel::{NestedProgress, Progress};
 use tables::Table;
 use topography::readings;
 use transport::GapField;
-use transport::flow::{self, Direction, Ends, Flow, FlowError};
+use transport::flow::{self, Ends, FlowDirection, FlowError, SolvedFlow};
 use units::display::three_digits;
 use units::{Bound, Remark, RemarkCode, named};
 
@@ -37,17 +37,17 @@ named!(FlowEdges, "kind of edges", {
 #[derive(Debug, Clone, PartialEq)]
 pub struct GapFlow {
     /// Flow under a mean pressure gradient along x.
-    pub along_x: Flow,
+    pub along_x: SolvedFlow,
     /// Flow under a mean pressure gradient along y.
-    pub along_y: Flow,
+    pub along_y: SolvedFlow,
     /// Errors of both factors that come from the spacing of the points; none for fields of a few points.
     pub spacing_errors: [Option<f64>; 2],
 }
 
 impl GapFlow {
     fn solve(gap: &GapField<'_>, edges: FlowEdges, progress: &dyn Progress) -> Result<Self, QuestionError> {
-        let (along_x, x_error) = solve_along(Direction::X, gap, edges, progress)?;
-        let (along_y, y_error) = solve_along(Direction::Y, gap, edges, progress)?;
+        let (along_x, x_error) = solve_along(FlowDirection::X, gap, edges, progress)?;
+        let (along_y, y_error) = solve_along(FlowDirection::Y, gap, edges, progress)?;
         Ok(GapFlow { along_x, along_y, spacing_errors: [x_error, y_error] })
     }
 
@@ -61,7 +61,7 @@ impl GapFlow {
     /// its components along both.
     #[must_use]
     pub fn variables(&self, points: usize) -> [(&'static str, Vec<f64>); 4] {
-        let component = |flow: &Flow, axis: usize| {
+        let component = |flow: &SolvedFlow, axis: usize| {
             (0..points).map(|at| flow.flux.get(at).map_or(0.0, |flow| flow[axis])).collect()
         };
         [
@@ -81,11 +81,11 @@ impl GapFlow {
 
 /// Solves the flow along one direction, with the error of its factor. The field of a channel has closed rows or columns more.
 fn solve_along(
-    direction: Direction,
+    direction: FlowDirection,
     gap: &GapField<'_>,
     edges: FlowEdges,
     progress: &dyn Progress,
-) -> Result<(Flow, Option<f64>), QuestionError> {
+) -> Result<(SolvedFlow, Option<f64>), QuestionError> {
     let ends = if edges == FlowEdges::Periodic { Ends::Periodic } else { Ends::Reservoirs };
     let solved = |gap: &GapField<'_>| {
         let flow = flow::solve(gap, direction, ends, progress)?;
@@ -100,8 +100,8 @@ fn solve_along(
     // Every second point of an even number of rows leaves a wall of two rows closed.
     let widened = |points: usize| points + 2 + points % 2;
     let (all_rows, all_columns) = match direction {
-        Direction::X => (widened(rows), columns),
-        Direction::Y => (rows, widened(columns)),
+        FlowDirection::X => (widened(rows), columns),
+        FlowDirection::Y => (rows, widened(columns)),
     };
     let inside = |point: usize| {
         let (row, column) = (point / all_columns, point % all_columns);

@@ -9,7 +9,7 @@ use elements::half_space::Grid;
 use numerics::parallel::Unobserved;
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use transport::GapField;
-use transport::flow::{Direction, Ends, solve};
+use transport::flow::{Ends, FlowDirection, solve};
 
 const POINTS: usize = 1024;
 const CORRELATION_LENGTH: f64 = 16.0;
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let logarithms = surface.heights_m.iter().map(|height| deviation / rms * height);
             let gaps_m: Vec<f64> = logarithms.map(|logarithm| (logarithm / 3.0).exp()).collect();
             let gap = GapField::new(Grid::new(POINTS, POINTS, side, side)?, gaps_m)?;
-            let flow = solve(&gap, Direction::X, Ends::Periodic, &Unobserved)?;
+            let flow = solve(&gap, FlowDirection::X, Ends::Periodic, &Unobserved)?;
             flows.push(flow.flow_factor * gap.mean_gap_m().powi(3));
         }
         let mean = flows.iter().sum::<f64>() / FIELDS as f64;

@@ -12,7 +12,7 @@ use elements::half_space::{Elements, Grid, Loading};
 use numerics::parallel::Unobserved;
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use transport::GapField;
-use transport::flow::{Direction, Ends, solve, spacing_error};
+use transport::flow::{Ends, FlowDirection, solve, spacing_error};
 
 const SIDE_M: f64 = 1e-3;
 const WAVES: f64 = 8.0;
@@ -35,13 +35,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         if let Ok(points) = argument.parse() {
             for pressure in REDUCED_PRESSURES {
                 let gaps_m = pressed(points, pressure)?;
-                time(&format!("pressed by {pressure}"), points, &gaps_m, &[Direction::X])?;
+                time(&format!("pressed by {pressure}"), points, &gaps_m, &[FlowDirection::X])?;
             }
         } else {
             let bytes = std::fs::read(&argument)?;
             let gaps_m: Vec<f64> =
                 bytes.as_chunks().0.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect();
-            time(&argument, gaps_m.len().isqrt(), &gaps_m, &[Direction::X, Direction::Y])?;
+            time(&argument, gaps_m.len().isqrt(), &gaps_m, &[FlowDirection::X, FlowDirection::Y])?;
         }
     }
     Ok(())
@@ -74,7 +74,7 @@ fn time(
     name: &str,
     points: usize,
     gaps_m: &[f64],
-    directions: &[Direction],
+    directions: &[FlowDirection],
 ) -> Result<(), Box<dyn std::error::Error>> {
     let gap = GapField::new(Grid::new(points, points, SIDE_M, SIDE_M)?, gaps_m)?;
     for &direction in directions {

@@ -16,7 +16,7 @@ use spectrum::random_surfaces::{AreaSpectrum, Phases, Synthesis};
 use study::interface::{Quantity, Slot};
 use tables::markdown::{table, with_section};
 use transport::GapField;
-use transport::flow::{Direction, Ends, solve};
+use transport::flow::{Ends, FlowDirection, solve};
 
 use units::display::three_digits;
 
@@ -29,7 +29,7 @@ use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, TrialLoad, WaveBand};
 const LOADS: [f64; 8] = [0.01, 0.025, 0.05, 0.08, 0.11, 0.14, 0.17, 0.205];
 /// Loads of the lines for narrow boxes and stretched waves.
 const NARROW_LOADS: [f64; 2] = [0.025, 0.08];
-const BOTH: [Direction; 2] = [Direction::X, Direction::Y];
+const BOTH: [FlowDirection; 2] = [FlowDirection::X, FlowDirection::Y];
 /// Surfaces of each trial.
 const SURFACES: u64 = 4;
 
@@ -128,8 +128,8 @@ pub fn trials(set: Set) -> Vec<FlowTrial> {
 
 impl FlowRow {
     /// Cube of the parallel slot that lets as much through along a direction \[m^3\].
-    fn cube_m3(&self, along: Direction) -> f64 {
-        let factor = if along == Direction::X { self.flow_factor_x } else { self.flow_factor_y };
+    fn cube_m3(&self, along: FlowDirection) -> f64 {
+        let factor = if along == FlowDirection::X { self.flow_factor_x } else { self.flow_factor_y };
         factor * self.gap_m.powi(3)
     }
 
@@ -200,8 +200,8 @@ impl FlowTrial {
                 pressure_over_gradient: LOADS[field.load],
                 area_fraction: digits(gap.closed_share()),
                 gap_m: digits(gap.mean_gap_m()),
-                flow_factor_x: factor(Direction::X)?,
-                flow_factor_y: factor(Direction::Y)?,
+                flow_factor_x: factor(FlowDirection::X)?,
+                flow_factor_y: factor(FlowDirection::Y)?,
                 area_by_theory: 0.0,
                 gap_by_theory_m: 0.0,
                 medium_m3: 0.0,
@@ -307,8 +307,8 @@ pub fn written(page: &str, rows: &[FlowRow]) -> Result<String, TrialError> {
     for load in NARROW_LOADS {
         let of_load = |row: &&FlowRow| row.pressure_over_gradient == load && row.stretch > 1.0;
         let of_load = select(&rows, of_load);
-        lines.push(line("1 : 4, along the waves", &of_load, &[Direction::X])?);
-        lines.push(line("1 : 4, across", &of_load, &[Direction::Y])?);
+        lines.push(line("1 : 4, along the waves", &of_load, &[FlowDirection::X])?);
+        lines.push(line("1 : 4, across", &of_load, &[FlowDirection::Y])?);
     }
     let headings = ["surfaces", "A", "medium", "d = 2", "last channel", "inside", "high/low"];
     with_section(page, "flow", &table(&headings, &lines)).map_err(TrialError::Page)
@@ -319,7 +319,7 @@ fn select<'r>(rows: &[&'r FlowRow], is_of: impl Fn(&&FlowRow) -> bool) -> Vec<&'
 }
 
 /// Line of the table: closed forms over solved flow along directions, and the flows inside the range.
-fn line(name: &str, rows: &[&FlowRow], directions: &[Direction]) -> Result<Vec<String>, TrialError> {
+fn line(name: &str, rows: &[&FlowRow], directions: &[FlowDirection]) -> Result<Vec<String>, TrialError> {
     let flows = |of: fn(&FlowRow) -> f64| -> String {
         let over = rows.iter().flat_map(|row| directions.iter().map(|along| of(row) / row.cube_m3(*along)));
         let mut over: Vec<f64> = over.collect();

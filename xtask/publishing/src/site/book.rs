@@ -28,6 +28,7 @@ const CHAPTERS: [(&str, &str, &[&str]); 4] = [
             "bearing-race.md",
             "contact-challenge.md",
             "nature.md",
+            "flow.md",
             "instruments.md",
             "spectrum.md",
         ],

@@ -48,6 +48,7 @@ fn calls() -> Vec<String> {
         format!("law in@psd --model persson --dialect csv --pressure-range 1MPa:10MPa{BODIES}"),
         format!("bem in@map --unit nm --size 1um{pressed}"),
         format!("bem in@psd --shortest 1um --grid 16{pressed}"),
+        "flow in@map --unit nm --size 1um".to_owned(),
         format!("scan in@trace in2@trace{scan}"),
         format!("scan in@map --size 1um{scan}"),
         format!("roughness in@trace in2@trace{scan}"),

@@ -2,14 +2,14 @@
 
 use elements::half_space::Grid;
 
-use crate::flow::{Direction, Ends};
+use crate::flow::{Ends, FlowDirection};
 
 /// The grid, seen along the flow.
 pub(super) struct Lattice {
     /// Number of points.
     pub points: usize,
     /// Direction of the flow.
-    pub direction: Direction,
+    pub direction: FlowDirection,
     /// Distance of points across the flow over that along it.
     pub ratio: f64,
     columns: usize,
@@ -17,12 +17,12 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    pub(super) fn new(grid: &Grid, direction: Direction, ends: Ends) -> Self {
+    pub(super) fn new(grid: &Grid, direction: FlowDirection, ends: Ends) -> Self {
         let (rows, columns) = (grid.rows(), grid.columns());
         let (step_x_m, step_y_m) = (grid.length_x_m() / columns as f64, grid.length_y_m() / rows as f64);
         let ratio = match direction {
-            Direction::X => step_y_m / step_x_m,
-            Direction::Y => step_x_m / step_y_m,
+            FlowDirection::X => step_y_m / step_x_m,
+            FlowDirection::Y => step_x_m / step_y_m,
         };
         Lattice { points: grid.points(), direction, ratio, columns, ends }
     }
@@ -35,32 +35,32 @@ impl Lattice {
     /// The next point along the flow; the first behind the last.
     pub(super) fn next(&self, point: usize) -> usize {
         match self.direction {
-            Direction::X => self.right(point),
-            Direction::Y => self.below(point),
+            FlowDirection::X => self.right(point),
+            FlowDirection::Y => self.below(point),
         }
     }
 
     /// The next point across the flow; the first behind the last.
     pub(super) fn beside(&self, point: usize) -> usize {
         match self.direction {
-            Direction::X => self.below(point),
-            Direction::Y => self.right(point),
+            FlowDirection::X => self.below(point),
+            FlowDirection::Y => self.right(point),
         }
     }
 
     /// Returns true for points of the first row or column along the flow.
     pub(super) fn is_first(&self, point: usize) -> bool {
         match self.direction {
-            Direction::X => (point as u32).is_multiple_of(self.columns as u32),
-            Direction::Y => point < self.columns,
+            FlowDirection::X => (point as u32).is_multiple_of(self.columns as u32),
+            FlowDirection::Y => point < self.columns,
         }
     }
 
     /// Returns true for points of the last row or column along the flow.
     pub(super) fn is_last(&self, point: usize) -> bool {
         match self.direction {
-            Direction::X => (point as u32 + 1).is_multiple_of(self.columns as u32),
-            Direction::Y => point >= self.points - self.columns,
+            FlowDirection::X => (point as u32 + 1).is_multiple_of(self.columns as u32),
+            FlowDirection::Y => point >= self.points - self.columns,
         }
     }
 

@@ -40,7 +40,7 @@ pub const PROGRESS_STEPS: usize = 100;
 /// Direction of the mean pressure gradient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Direction {
+pub enum FlowDirection {
     /// Along x, from column to column.
     X,
     /// Along y, from row to row.
@@ -61,7 +61,7 @@ pub enum Ends {
 /// Flow through a gap along one direction.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct Flow {
+pub struct SolvedFlow {
     /// Flow factor phi >= 0; exactly 0 where no path leads through.
     pub flow_factor: f64,
     /// Relative residual of the balance of every point, 1e-8 or what rounding leaves of it at most; 0 where no path leads through.
@@ -72,7 +72,7 @@ pub struct Flow {
     pub flux: Vec<[f64; 2]>,
 }
 
-impl Flow {
+impl SolvedFlow {
     /// Returns true if a path leads through.
     #[must_use]
     pub fn is_open(&self) -> bool {
@@ -110,10 +110,10 @@ pub enum Method {
 /// [`FlowError`] if the equations have no solution in double precision, and if `progress` cancels.
 pub fn solve(
     gap: &GapField<'_>,
-    direction: Direction,
+    direction: FlowDirection,
     ends: Ends,
     progress: &dyn Progress,
-) -> Result<Flow, FlowError> {
+) -> Result<SolvedFlow, FlowError> {
     let network = Network::new(gap, direction, ends);
     let lattice = Lattice::new(gap.grid(), direction, ends);
     let is_small = network.count() <= DIRECT;
@@ -134,10 +134,10 @@ pub fn solve(
 pub fn solve_by(
     method: Method,
     gap: &GapField<'_>,
-    direction: Direction,
+    direction: FlowDirection,
     ends: Ends,
     progress: &dyn Progress,
-) -> Result<Flow, FlowError> {
+) -> Result<SolvedFlow, FlowError> {
     let network = Network::new(gap, direction, ends);
     network.solve(&Lattice::new(gap.grid(), direction, ends), method, progress)
 }
@@ -156,7 +156,7 @@ pub fn solve_by(
 pub fn spacing_error(
     flow_factor: f64,
     gap: &GapField<'_>,
-    direction: Direction,
+    direction: FlowDirection,
     ends: Ends,
     progress: &dyn Progress,
 ) -> Result<Option<f64>, FlowError> {
@@ -177,13 +177,18 @@ struct Correction {
 }
 
 impl Network {
-    fn solve(&self, lattice: &Lattice, method: Method, progress: &dyn Progress) -> Result<Flow, FlowError> {
+    fn solve(
+        &self,
+        lattice: &Lattice,
+        method: Method,
+        progress: &dyn Progress,
+    ) -> Result<SolvedFlow, FlowError> {
         if progress.is_cancelled() {
             return Err(FlowError::Cancelled);
         }
         if self.count() == 0 {
             progress.advance(PROGRESS_STEPS);
-            return Ok(Flow { flow_factor: 0.0, residual: 0.0, iterations: 0, flux: Vec::new() });
+            return Ok(SolvedFlow { flow_factor: 0.0, residual: 0.0, iterations: 0, flux: Vec::new() });
         }
         let (pressures, iterations) = match method {
             Method::Direct => {

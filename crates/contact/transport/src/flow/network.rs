@@ -2,7 +2,7 @@
 
 use crate::GapField;
 use crate::flow::lattice::{Lattice, Parts};
-use crate::flow::{Direction, Ends, Flow};
+use crate::flow::{Ends, FlowDirection, SolvedFlow};
 
 /// Index of a missing point.
 pub(super) const NONE: u32 = u32::MAX;
@@ -38,7 +38,7 @@ pub(super) struct Network {
 }
 
 impl Network {
-    pub(super) fn new(gap: &GapField<'_>, direction: Direction, ends: Ends) -> Self {
+    pub(super) fn new(gap: &GapField<'_>, direction: FlowDirection, ends: Ends) -> Self {
         let lattice = Lattice::new(gap.grid(), direction, ends);
         let mean_m = gap.mean_gap_m();
         let cubes: Vec<f64> = (0..lattice.points).map(|point| (gap.gap_m(point) / mean_m).powi(3)).collect();
@@ -172,20 +172,20 @@ impl Network {
     }
 
     /// Flow under pressures. Its factor is the dissipated power, whose error is of second order in that of the pressures.
-    pub(super) fn flow(&self, pressures: &[f64], lattice: &Lattice, iterations: usize) -> Flow {
+    pub(super) fn flow(&self, pressures: &[f64], lattice: &Lattice, iterations: usize) -> SolvedFlow {
         let outflow = self.outflow(pressures);
         let flow_factor = self.power(pressures) / lattice.power_of_slot();
         let mut flux = vec![[0.0; 2]; lattice.points];
         let mean = flow_factor * lattice.power_of_slot() / lattice.points as f64;
         for tie in self.ties() {
-            let is_along_x = (tie.fall > 0.0) == (lattice.direction == Direction::X);
+            let is_along_x = (tie.fall > 0.0) == (lattice.direction == FlowDirection::X);
             let flow = 0.5 * flow_through(&tie, pressures) / mean;
             for unknown in [tie.from, tie.to].into_iter().filter(|&unknown| unknown != NONE) {
                 flux[self.places[unknown as usize] as usize][usize::from(!is_along_x)] += flow;
             }
         }
         let residual = norm(&outflow) / self.driven();
-        Flow { flow_factor, residual, iterations, flux }
+        SolvedFlow { flow_factor, residual, iterations, flux }
     }
 }
 

@@ -79,7 +79,7 @@ impl SpotConduction {
 
 /// Region that touches without a break, and its share of the current.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spot {
+pub struct ContactSpot {
     /// Middle along x from the first point of the map \[m\].
     pub x_m: f64,
     /// Middle along y from the first point of the map \[m\].
@@ -90,7 +90,7 @@ pub struct Spot {
     pub current_share: f64,
 }
 
-impl Spot {
+impl ContactSpot {
     /// Radius of the disc of equal area \[m\].
     #[must_use]
     pub fn radius_m(&self) -> f64 {
@@ -104,7 +104,7 @@ pub struct Spots {
     /// Resistance of all spots together \[ohm\]; of a periodic map without that of the bodies to a uniform current.
     pub resistance_ohm: f64,
     /// Spots, the one of the most points first.
-    pub spots: Vec<Spot>,
+    pub spots: Vec<ContactSpot>,
     /// Number of discs into which they were split.
     pub discs: usize,
     /// Share of the nominal area that touches, without the staircase at the outlines.
@@ -213,13 +213,13 @@ impl Spots {
         }
         let on_map_m =
             |middle_m: f64, length_m: f64| if is_periodic { middle_m.rem_euclid(length_m) } else { middle_m };
-        let of_sums = |[area_m2, x, y, current_share]: [f64; 4]| Spot {
+        let of_sums = |[area_m2, x, y, current_share]: [f64; 4]| ContactSpot {
             x_m: on_map_m(x / area_m2, lengths_m[0]),
             y_m: on_map_m(y / area_m2, lengths_m[1]),
             area_m2,
             current_share,
         };
-        let spots: Vec<Spot> = sums.into_iter().map(of_sums).collect();
+        let spots: Vec<ContactSpot> = sums.into_iter().map(of_sums).collect();
         if !(total_a_per_v > 0.0 && spots.iter().all(|spot| spot.current_share > 0.0)) {
             return Err(indefinite);
         }

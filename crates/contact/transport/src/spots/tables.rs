@@ -4,7 +4,7 @@ use elements::PressedLoad;
 use tables::Table;
 use units::OutOfBounds;
 
-use super::{ContactResistance, FieldSpots, Spot, Spots};
+use super::{ContactResistance, ContactSpot, FieldSpots, Spots};
 
 /// Table with a row per spot, the one of the most points first, in blocks of loads and of surfaces: `nominal_pressure_pa, realisation,
 /// spot, x_m, y_m, radius_m, area_m2, current_share`, with realisations and spots counted from 1. Surfaces whose spots are out of range
@@ -13,14 +13,14 @@ use super::{ContactResistance, FieldSpots, Spot, Spots};
 pub fn spots_table(fields: &[FieldSpots]) -> Table {
     let mut fields: Vec<&FieldSpots> = fields.iter().collect();
     fields.sort_by_key(|field| (field.load, field.surface));
-    let rows: Vec<(&FieldSpots, usize, &Spot)> = fields
+    let rows: Vec<(&FieldSpots, usize, &ContactSpot)> = fields
         .iter()
         .flat_map(|field| {
             let spots = field.solved.iter().flat_map(|solved| &solved.spots);
             spots.zip(1..).map(move |(spot, at)| (*field, at, spot))
         })
         .collect();
-    let column = |of: fn(&(&FieldSpots, usize, &Spot)) -> f64| rows.iter().map(of).collect::<Vec<_>>();
+    let column = |of: fn(&(&FieldSpots, usize, &ContactSpot)) -> f64| rows.iter().map(of).collect::<Vec<_>>();
     Table::default()
         .with_numbers("nominal_pressure_pa", column(|(field, ..)| field.nominal_pressure_pa))
         .with_numbers("realisation", column(|(field, ..)| (field.surface + 1) as f64))

@@ -5,10 +5,10 @@ use numerics::parallel::{Progress, Unobserved};
 use spectrum::random_surfaces::{AreaSpectrum, Phases, SelfAffine, Size, Synthesis};
 use transport::GapField;
 use transport::flow::{
-    Direction, Ends, Flow, FlowError, Method, PROGRESS_STEPS, solve, solve_by, spacing_error,
+    Ends, FlowDirection, FlowError, Method, PROGRESS_STEPS, SolvedFlow, solve, solve_by, spacing_error,
 };
 
-const BOTH: [Direction; 2] = [Direction::X, Direction::Y];
+const BOTH: [FlowDirection; 2] = [FlowDirection::X, FlowDirection::Y];
 const ALL_ENDS: [Ends; 2] = [Ends::Periodic, Ends::Reservoirs];
 const METHODS: [Method; 2] = [Method::Direct, Method::Iterative];
 
@@ -16,18 +16,18 @@ fn grid(rows: usize, columns: usize) -> Grid {
     Grid::new(rows, columns, 3e-5, 2e-5).unwrap()
 }
 
-fn flow_by(method: Method, grid: Grid, gaps_m: &[f64], direction: Direction, ends: Ends) -> Flow {
+fn flow_by(method: Method, grid: Grid, gaps_m: &[f64], direction: FlowDirection, ends: Ends) -> SolvedFlow {
     solve_by(method, &GapField::new(grid, gaps_m).unwrap(), direction, ends, &Unobserved).unwrap()
 }
 
-fn factor_by(method: Method, grid: Grid, gaps_m: &[f64], direction: Direction, ends: Ends) -> f64 {
+fn factor_by(method: Method, grid: Grid, gaps_m: &[f64], direction: FlowDirection, ends: Ends) -> f64 {
     let flow = flow_by(method, grid, gaps_m, direction, ends);
     assert!(flow.residual <= 1e-8, "{method:?}: {}", flow.residual);
     flow.flow_factor
 }
 
 /// Factor by the iteration, after a comparison with that of the direct solution.
-fn factor(grid: Grid, gaps_m: &[f64], direction: Direction, ends: Ends) -> f64 {
+fn factor(grid: Grid, gaps_m: &[f64], direction: FlowDirection, ends: Ends) -> f64 {
     let [direct, iterative] = METHODS.map(|method| factor_by(method, grid, gaps_m, direction, ends));
     let case = format!("{grid:?} {direction:?} {ends:?}");
     assert!((iterative - direct).abs() <= 1e-8 * direct, "{case}: {iterative} {direct}");
@@ -124,9 +124,9 @@ fn a_large_field_is_solved_by_iteration_with_a_flux_that_is_conserved() {
     let gaps_m = pressed_like(points, points, 0.2, 5);
     let grid = grid(points, points);
     let flow =
-        solve(&GapField::new(grid, &gaps_m).unwrap(), Direction::X, Ends::Periodic, &Unobserved).unwrap();
+        solve(&GapField::new(grid, &gaps_m).unwrap(), FlowDirection::X, Ends::Periodic, &Unobserved).unwrap();
     assert!((1..=30).contains(&flow.iterations), "{}", flow.iterations);
-    let direct = flow_by(Method::Direct, grid, &gaps_m, Direction::X, Ends::Periodic);
+    let direct = flow_by(Method::Direct, grid, &gaps_m, FlowDirection::X, Ends::Periodic);
     assert_eq!(direct.iterations, 0);
     assert!((flow.flow_factor / direct.flow_factor - 1.0).abs() < 1e-9);
     for column in [0, 100, 383] {
@@ -146,12 +146,12 @@ fn channels_count_only_where_they_lead_around_the_field_along_the_flow() {
     // An island, a dead end, and a wall that closes x.
     let (grid, gaps_m) = picture(&["o.....", "o..o..", "ooo...", "o....."]);
     for ends in ALL_ENDS {
-        assert_eq!(factor(grid, &gaps_m, Direction::X, ends), 0.0);
-        let flow = flow_by(Method::Iterative, grid, &gaps_m, Direction::X, ends);
+        assert_eq!(factor(grid, &gaps_m, FlowDirection::X, ends), 0.0);
+        let flow = flow_by(Method::Iterative, grid, &gaps_m, FlowDirection::X, ends);
         assert!(!flow.is_open() && flow.flux.is_empty());
         // Without island and dead end the flow is that of the channel, 1 point of 6 wide.
         let mean_gap: f64 = gaps_m.iter().sum::<f64>() / 24.0;
-        let found = factor(grid, &gaps_m, Direction::Y, ends);
+        let found = factor(grid, &gaps_m, FlowDirection::Y, ends);
         assert!((found * mean_gap.powi(3) - 1.0 / 6.0).abs() < 1e-12, "{found}");
     }
     // A staircase that winds around both directions: closed between reservoirs at opposite sides where it does not wrap.
@@ -167,7 +167,7 @@ fn channels_count_only_where_they_lead_around_the_field_along_the_flow() {
     for direction in BOTH {
         assert_eq!(factor(grid, &gaps_m, direction, Ends::Periodic), 0.0);
     }
-    assert_eq!(factor(grid, &[0.0; 36], Direction::X, Ends::Periodic), 0.0);
+    assert_eq!(factor(grid, &[0.0; 36], FlowDirection::X, Ends::Periodic), 0.0);
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn more_gap_lets_more_through_and_the_scale_of_gaps_does_not_count() {
     let gaps_m = pressed_like(rows, columns, 0.3, 8);
     let mean_m = |gaps_m: &[f64]| gaps_m.iter().sum::<f64>() / (rows * columns) as f64;
     let through = |gaps_m: &[f64]| {
-        factor(grid(rows, columns), gaps_m, Direction::X, Ends::Periodic) * mean_m(gaps_m).powi(3)
+        factor(grid(rows, columns), gaps_m, FlowDirection::X, Ends::Periodic) * mean_m(gaps_m).powi(3)
     };
     let mut before = through(&gaps_m);
     let mut wider = gaps_m.clone();
@@ -186,10 +186,10 @@ fn more_gap_lets_more_through_and_the_scale_of_gaps_does_not_count() {
         assert!(after > before, "{after} {before}");
         before = after;
     }
-    let one = factor(grid(rows, columns), &gaps_m, Direction::X, Ends::Periodic);
+    let one = factor(grid(rows, columns), &gaps_m, FlowDirection::X, Ends::Periodic);
     for scale in [1e-9, 1e9] {
         let scaled: Vec<f64> = gaps_m.iter().map(|gap_m| scale * gap_m).collect();
-        let found = factor(grid(rows, columns), &scaled, Direction::X, Ends::Periodic);
+        let found = factor(grid(rows, columns), &scaled, FlowDirection::X, Ends::Periodic);
         assert!((found / one - 1.0).abs() < 1e-10, "{scale}: {found} {one}");
     }
 }
@@ -209,11 +209,13 @@ fn narrow_gaps_between_pools_decide_though_a_million_million_times_tighter() {
     let mean_m = gaps_m.iter().sum::<f64>() / (rows * columns) as f64;
     let gap = GapField::new(grid(rows, columns), &gaps_m).unwrap();
     // Rounding leaves the direct solution 7 % off, and its corrections may not end: no factor is better than a wrong one.
-    let direct = solve_by(Method::Direct, &gap, Direction::X, Ends::Periodic, &Unobserved);
-    let iterative = factor_by(Method::Iterative, grid(rows, columns), &gaps_m, Direction::X, Ends::Periodic);
+    let direct = solve_by(Method::Direct, &gap, FlowDirection::X, Ends::Periodic, &Unobserved);
+    let iterative =
+        factor_by(Method::Iterative, grid(rows, columns), &gaps_m, FlowDirection::X, Ends::Periodic);
     let is_right = direct.as_ref().is_ok_and(|flow| (flow.flow_factor / iterative - 1.0).abs() < 1e-8);
     assert!(is_right || direct == Err(FlowError::Stalled));
-    let found = solve(&gap, Direction::X, Ends::Periodic, &Unobserved).unwrap().flow_factor * mean_m.powi(3);
+    let found =
+        solve(&gap, FlowDirection::X, Ends::Periodic, &Unobserved).unwrap().flow_factor * mean_m.powi(3);
     // Two ties of twice the conductance of a narrow point lead through each; the pools have no resistance.
     let expected = 1e-12 / 2.0 * columns as f64 / rows as f64;
     assert!((found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
@@ -268,7 +270,7 @@ fn isotropic_log_normal_conductances_have_their_geometric_mean() {
             let gaps_m: Vec<f64> = heights.iter().map(|height| (deviation / 3.0 * height).exp()).collect();
             let mean_m = gaps_m.iter().sum::<f64>() / gaps_m.len() as f64;
             let grid = Grid::new(points, points, 1.0, 1.0).unwrap();
-            sum += factor(grid, &gaps_m, Direction::X, Ends::Periodic) * mean_m.powi(3) / 8.0;
+            sum += factor(grid, &gaps_m, FlowDirection::X, Ends::Periodic) * mean_m.powi(3) / 8.0;
         }
         assert!((sum - 1.0).abs() < 0.03, "{deviation}: {sum}");
     }
@@ -284,8 +286,8 @@ fn the_error_of_the_spacing_is_that_to_a_finer_field() {
         let coarse: Vec<f64> =
             (0..side * side).map(|at| gaps_m[at / side * step * points + at % side * step]).collect();
         let gap = GapField::new(Grid::new(side, side, 1.0, 1.0).unwrap(), &coarse).unwrap();
-        let flow = solve(&gap, Direction::X, Ends::Periodic, &Unobserved).unwrap();
-        let error = spacing_error(flow.flow_factor, &gap, Direction::X, Ends::Periodic, &Unobserved);
+        let flow = solve(&gap, FlowDirection::X, Ends::Periodic, &Unobserved).unwrap();
+        let error = spacing_error(flow.flow_factor, &gap, FlowDirection::X, Ends::Periodic, &Unobserved);
         let through = gap.mean_gap_m().powi(3);
         (flow.flow_factor * through, error.unwrap().unwrap() * through)
     };
@@ -294,10 +296,10 @@ fn the_error_of_the_spacing_is_that_to_a_finer_field() {
     assert!((coarse - fine).abs() < error && error < 4.0 * (coarse - fine).abs(), "{fine} {coarse} {error}");
     // No error without contact or variation; none known of three points.
     let slot = GapField::new(grid(8, 9), vec![1e-6; 72]).unwrap();
-    let error = spacing_error(1.0, &slot, Direction::Y, Ends::Reservoirs, &Unobserved).unwrap().unwrap();
+    let error = spacing_error(1.0, &slot, FlowDirection::Y, Ends::Reservoirs, &Unobserved).unwrap().unwrap();
     assert!(error < 1e-12);
     let line = GapField::new(grid(3, 9), vec![1e-6; 27]).unwrap();
-    assert_eq!(spacing_error(1.0, &line, Direction::Y, Ends::Reservoirs, &Unobserved).unwrap(), None);
+    assert_eq!(spacing_error(1.0, &line, FlowDirection::Y, Ends::Reservoirs, &Unobserved).unwrap(), None);
 }
 
 #[test]
@@ -318,13 +320,13 @@ fn an_observer_sees_all_steps_and_may_cancel() {
     let gap = GapField::new(grid(80, 80), &gaps_m).unwrap();
     for method in METHODS {
         let observer = Observer { seen: 0.into(), most: usize::MAX };
-        solve_by(method, &gap, Direction::X, Ends::Periodic, &observer).unwrap();
+        solve_by(method, &gap, FlowDirection::X, Ends::Periodic, &observer).unwrap();
         assert_eq!(observer.seen.into_inner(), PROGRESS_STEPS);
         let observer = Observer { seen: 0.into(), most: 0 };
-        let ended = solve_by(method, &gap, Direction::X, Ends::Periodic, &observer);
+        let ended = solve_by(method, &gap, FlowDirection::X, Ends::Periodic, &observer);
         assert_eq!(ended.unwrap_err(), FlowError::Cancelled);
     }
     let observer = Observer { seen: 0.into(), most: 40 };
-    let ended = solve_by(Method::Iterative, &gap, Direction::X, Ends::Periodic, &observer);
+    let ended = solve_by(Method::Iterative, &gap, FlowDirection::X, Ends::Periodic, &observer);
     assert_eq!(ended.unwrap_err(), FlowError::Cancelled);
 }
