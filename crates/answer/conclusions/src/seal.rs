@@ -40,6 +40,8 @@ pub struct SealUnderLoad {
     pub leak_rate_m3_per_s: Option<[f64; 2]>,
     /// The leak rate in the unit that is asked for.
     pub leak_rate: Option<LeakInUnit>,
+    /// True if the fluid presses more than the bodies do: the rate holds if something else keeps them together.
+    pub fluid_parts_bodies: bool,
 }
 
 /// A leak rate in a unit.
@@ -138,20 +140,31 @@ impl SealUnderLoad {
             Some(interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]))
         };
         let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
-        let of_flat = low.zip(high).map(|(low, high)| [low[0], high[1]]);
+        // Draws that shut the seal, but too many for an interval, let nothing through.
+        let open_share = uncertainty.and_then(|found| found.share_open(load));
+        let has_interval = |quantity| {
+            uncertainty
+                .and_then(|found| found.quantity(Slot { quantity, load: Some(load), curve: None }))
+                .is_some()
+        };
+        let may_shut = open_share.is_some_and(|share| share < 1.0) && !has_interval(Quantity::LeakRateLow);
+        let of_flat = low.zip(high).map(|(low, high)| [if may_shut { 0.0 } else { low[0] }, high[1]]);
+        let fluid_parts_bodies = states.request.parts_bodies(pressure_pa);
         let leak_rate_m3_per_s = match (of_flat, around(states, load)) {
             (Some([low, high]), Some(around)) => Some([low, high.max(around)]),
             (None, Some(around)) => Some([0.0, around]),
             (of_flat, None) => of_flat,
         };
         Some(SealUnderLoad {
-            verdict: match states.request.parts_bodies(pressure_pa) {
+            verdict: match fluid_parts_bodies {
                 true => SealVerdict::Open,
                 false => closing.map_or(SealVerdict::Open, |closing| SealVerdict::new(pressure_pa, &closing)),
             },
-            open_share: uncertainty.and_then(|found| found.share_open(load)),
+            // The draws are those of flat faces.
+            open_share: open_share.filter(|_| states.request.flatness.is_none()),
             leak_rate_m3_per_s,
             leak_rate: leak_rate_m3_per_s.and_then(|rate| in_unit(&seal, rate)),
+            fluid_parts_bodies,
         })
     }
 }

@@ -15,6 +15,8 @@ use units::{Bound, Remark, RemarkCode, named};
 
 use crate::{Answer, QuestionError};
 
+/// Share of points with a negative gap above which the field is doubted.
+const MOST_NEGATIVE: f64 = 0.1;
 /// Name of the channel that is read as gaps, in files that have it.
 const GAP_CHANNEL: &str = "gap";
 
@@ -255,6 +257,12 @@ impl GapMap {
             let note = Remark::new(RemarkCode::ClosedGaps).with("closed", closed).with("points", points);
             let given = reasons.into_iter().filter(|(_, count)| *count > 0);
             notes.push(given.fold(note, |note, (name, count)| note.with(name, count)));
+        }
+        let negative = self.gaps_m.iter().filter(|gap_m| **gap_m < 0.0).count();
+        // Elements that overlap by rounding leave few.
+        if negative as f64 > MOST_NEGATIVE * points as f64 {
+            let note = Remark::new(RemarkCode::GapsBelowZero).with("negative", negative);
+            notes.push(note.with("points", points));
         }
         Ok((found, Answer { table, notes, figure: None }))
     }

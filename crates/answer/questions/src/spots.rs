@@ -1,8 +1,10 @@
 //! Resistance of the spots of surfaces while they are pressed.
 
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use elements::{ContactField, PressedLoad, SpecimenCompliance};
+use elements::{Boundary, ContactField, PressedLoad, SpecimenCompliance};
 use interface::conductance::Resistivities;
 use study::body_properties::BodyProperty;
 use study::materials::TabledMaterial;
@@ -65,6 +67,8 @@ impl SpotsInput {
 pub struct PressedSpots {
     conduction: SpotConduction,
     found: Mutex<Vec<FieldSpots>>,
+    /// True if a map has free edges.
+    has_free_edges: AtomicBool,
 }
 
 impl PressedSpots {
@@ -80,7 +84,11 @@ impl PressedSpots {
         } else if question.compliance.is_some_and(|kind| kind != SpecimenCompliance::None) {
             "a compliance that is taken out: spots conduct through the whole of both bodies; leave out the compliance"
         } else {
-            return Ok(PressedSpots { conduction, found: Mutex::default() });
+            return Ok(PressedSpots {
+                conduction,
+                found: Mutex::default(),
+                has_free_edges: AtomicBool::new(false),
+            });
         };
         Err(QuestionError::Other(format!("spots with {other}")))
     }
@@ -93,6 +101,9 @@ impl PressedSpots {
     pub fn solve(&self, field: &ContactField<'_>) -> Result<Option<Vec<f64>>, QuestionError> {
         let of_error = |error: SpotsError| QuestionError::Other(error.to_string());
         let spots = FieldSpots::new(field, self.conduction).map_err(of_error)?;
+        if field.relief.boundary == Boundary::Free {
+            self.has_free_edges.store(true, Ordering::Relaxed);
+        }
         let shares = spots.shares_at_points(field).map_err(of_error)?;
         self.found.lock().unwrap_or_else(PoisonError::into_inner).push(spots);
         Ok(shares)
@@ -120,17 +131,24 @@ impl PressedSpots {
             let note = Remark::new(RemarkCode::Spots).with("spots", solved.spots.len());
             notes.push(note.with("share", share).with("area", area));
         }
-        let is_out = |field: &&FieldSpots| field.solved.as_ref().is_ok_and(|solved| !solved.is_in_range);
+        let is_out = |field: &&FieldSpots| match &field.solved {
+            Ok(solved) => !solved.is_in_range,
+            Err(error) => matches!(error, SpotsError::Indefinite { .. }),
+        };
         match found.iter().filter(is_out).count() {
             0 => {}
             out => notes.push(
                 Remark::new(RemarkCode::SpotsOutOfRange).with("out", out).with("contacts", found.len()),
             ),
         }
-        let errors = found.iter().filter_map(|field| field.solved.as_ref().err());
-        notes.extend(
-            errors.map(|error| Remark::new(RemarkCode::SpotsUnsolved).with("reason", error.to_string())),
-        );
+        let errors =
+            found.iter().filter(|field| !is_out(field)).filter_map(|field| field.solved.as_ref().err());
+        let reasons: BTreeSet<String> = errors.map(ToString::to_string).collect();
+        let unsolved = |reason: String| Remark::new(RemarkCode::SpotsUnsolved).with("reason", reason);
+        notes.extend(reasons.into_iter().map(unsolved));
+        if self.has_free_edges.into_inner() {
+            notes.push(Remark::new(RemarkCode::CurrentSpreads));
+        }
         Ok([table, spots_table(&found)])
     }
 }

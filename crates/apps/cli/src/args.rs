@@ -238,8 +238,9 @@ Examples:
     #[command(after_help = "\
 Solves div(g^3 grad p) = 0 (Reynolds) with the gap g of every point. Columns:
 flow_factor_x, flow_factor_y (the flow over that of a parallel slot of the mean
-gap; 0 where no path leads through), mean_gap_m, closed_fraction (share of the
-points in contact), open_along_x and open_along_y (1 or 0), residual,
+gap; 0 where no path leads through), their errors of the spacing of the points
+(flow_factor_x_error, flow_factor_y_error), mean_gap_m, closed_fraction (share
+of the points in contact), open_along_x and open_along_y (1 or 0), residual,
 iterations. A fluid of viscosity eta flows at flow_factor mean_gap^3/(12 eta)
 per width and pressure gradient.
 

@@ -117,6 +117,20 @@ impl Picture {
         Err(PictureError::NoPoints { path: self.path.clone() })
     }
 
+    /// Refuses a format in which no points are drawn, before they are computed.
+    ///
+    /// # Errors
+    /// [`PictureError::NoPdfOfPoints`], or [`PictureError::NoPoints`] of a build without them.
+    pub fn check_of_points(&self) -> Result<(), PictureError> {
+        #[cfg(feature = "png")]
+        return match self.format {
+            PictureFormat::Pdf => Err(PictureError::NoPdfOfPoints { path: self.path.clone() }),
+            PictureFormat::Png | PictureFormat::Svg => Ok(()),
+        };
+        #[cfg(not(feature = "png"))]
+        Err(PictureError::NoPoints { path: self.path.clone() })
+    }
+
     /// The bytes of the file, of an SVG document.
     ///
     /// # Errors

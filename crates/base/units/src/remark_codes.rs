@@ -323,12 +323,17 @@ remark_codes! {
         "nothing says that the gap repeats itself: it is taken to, in both directions; {--edges=channel} lets fluid flow from edge to edge \
          between walls";
     ClosedGaps "flow.closed" Note
-        "{closed} of {points} points are closed[, {missing} of them because they are missing][, {tiny} with a gap below 1e-5 of the mean gap]";
+        "{closed} of {points|point} closed[, {missing} of them because they are missing][, {tiny} with a gap below 1e-5 of the mean gap]";
     Spots "pressed.spots" Note
         "{spots|spot} on {area%} of the area; the largest share of the current through one is {share%}";
     SpotsOutOfRange "pressed.spots" Note
         "{out} of {contacts|contact}: resistance_ohm is that from the stiffness, since the spots lie too close for discs";
     SpotsUnsolved "pressed.spots" Note "{reason}";
+    CurrentSpreads "pressed.spots" Note
+        "the edges are free: resistance_ohm has the spreading of the current from the map as a whole into both bodies; {--boundary=periodic} \
+         leaves it out";
+    GapsBelowZero "flow.negative" Caution
+        "{negative} of {points} points are below 0 and count as contact: a gap is at least 0, so these may be heights";
     BallCoarseGrid "ball.coarse-grid" Note
         "Hertz's radius has {points_per_radius} points of the grid, and 8 are needed for an answer";
     BallNarrowMap "ball.narrow-map" Note

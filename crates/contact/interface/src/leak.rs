@@ -30,6 +30,9 @@ pub struct LeakRate {
 const WAVES: f64 = 4.0;
 /// Longest waves that a joint counts with if it has fewer.
 const FEWEST_WAVES: f64 = 1.0;
+/// Growth of half of the width with the share in contact, and with the inverse of the waves on the square of the shorter side over that
+/// of [`WAVES`].
+const SCATTER: f64 = 1.25;
 
 /// Area fraction, and the low and the high end of solved flows over that of the effective medium. Their logarithms are straight in between.
 const RANGES: [(f64, [f64; 2]); 5] = [
@@ -85,13 +88,20 @@ impl SealedJoint {
         self.waves(longest_wave_m) < WAVES
     }
 
-    /// Computes the range of the leak rate of an effective medium of the conductance \[m^3\] where `area_fraction` of the joint is in
-    /// contact, of a roughness with the longest wave \[m\]. The volume of a gas is that at the outlet.
+    /// Computes the range of the leak rate of gaps whose effective medium, and all of which side by side, have the conductances
+    /// \[m^3\], where `area_fraction` of the joint is in contact, of a roughness with the longest wave \[m\]. No more passes than side by
+    /// side. The volume of a gas is that at the outlet.
     #[must_use]
-    pub fn leak_rate(&self, medium_m3: f64, area_fraction: f64, longest_wave_m: f64) -> LeakRate {
+    pub fn leak_rate(
+        &self,
+        [medium_m3, parallel_m3]: [f64; 2],
+        area_fraction: f64,
+        longest_wave_m: f64,
+    ) -> LeakRate {
         let rate = self.rate_m3_per_s(medium_m3);
         let [low, high] = shares(area_fraction, self.waves(longest_wave_m));
-        LeakRate { low_m3_per_s: low * rate, high_m3_per_s: high * rate }
+        let most = self.rate_m3_per_s(parallel_m3).max(rate);
+        LeakRate { low_m3_per_s: low * rate, high_m3_per_s: (high * rate).min(most) }
     }
 
     /// Computes the volume per time \[m^3/s\] through gaps of a conductance \[m^3\], the cube of the parallel slot that lets as much
@@ -104,16 +114,15 @@ impl SealedJoint {
     }
 }
 
-/// Shares of the rate of the medium between which solved flows lie, of a joint into which so many of the longest waves fit. Their
-/// logarithms scatter with the inverse of the number of waves on the square of its shorter side.
+/// Shares of the rate of the medium between which solved flows lie, of a joint into which so many of the longest waves fit.
 fn shares(area_fraction: f64, waves: f64) -> [f64; 2] {
     let end = RANGES.partition_point(|(area, _)| *area < area_fraction).clamp(1, RANGES.len() - 1);
     let [(from, low), (to, high)] = [RANGES[end - 1], RANGES[end]];
     let part = ((area_fraction - from) / (to - from)).clamp(0.0, 1.0);
     let [low, high] = [0, 1].map(|side: usize| low[side].ln() + part * (high[side] / low[side]).ln());
-    let wider = (WAVES / waves.max(FEWEST_WAVES)).powi(2).max(1.0);
-    let (middle, half) = (0.5 * (low + high), 0.5 * wider * (high - low));
-    [(middle - half).exp(), (middle + half).exp()]
+    let fewer = ((WAVES / waves.max(FEWEST_WAVES)).powi(2) - 1.0).max(0.0);
+    let wider = SCATTER * area_fraction * fewer;
+    [(low - wider).exp(), (high + wider).exp()]
 }
 
 #[cfg(test)]
@@ -135,10 +144,10 @@ mod tests {
         for (area, low) in
             [(0.0, 0.75), (0.15, 0.83), (0.29, 0.62), (0.315, between), (0.40, 0.02), (0.42, 0.02)]
         {
-            let found = joint.leak_rate(1e-21, area, 1e-4);
+            let found = joint.leak_rate([1e-21, 1e-18], area, 1e-4);
             assert!((found.low_m3_per_s / (low * rate) - 1.0).abs() < 1e-12, "{area}: {found:?}");
         }
-        let high = joint.leak_rate(1e-21, 0.34, 1e-4).high_m3_per_s;
+        let high = joint.leak_rate([1e-21, 1e-18], 0.34, 1e-4).high_m3_per_s;
         assert!((high / (4.2 * rate) - 1.0).abs() < 1e-12, "{high}");
     }
 
@@ -146,12 +155,19 @@ mod tests {
     fn few_waves_scatter_more() {
         let joint = SealedJoint::new(0.1, 1e-3, 1e5, WATER).unwrap();
         let width = |longest_m: f64| {
-            let found = joint.leak_rate(1e-21, 0.2, longest_m);
+            let found = joint.leak_rate([1e-21, 1e-15], 0.2, longest_m);
             (found.high_m3_per_s / found.low_m3_per_s).ln()
         };
         assert_eq!(width(1e-5), width(2.5e-4));
-        assert!((width(5e-4) / width(1e-5) - 4.0).abs() < 1e-12);
-        assert!((width(1e-3) / width(1e-5) - 16.0).abs() < 1e-12 && width(1e-2) == width(1e-3));
+        // Twice 1.25 A (16/n^2 - 1).
+        assert!((width(5e-4) - width(1e-5) - 2.0 * 1.25 * 0.2 * 3.0).abs() < 1e-12);
+        assert!(
+            (width(1e-3) - width(1e-5) - 2.0 * 1.25 * 0.2 * 15.0).abs() < 1e-12 && width(1e-2) == width(1e-3)
+        );
+        // No more than all gaps side by side, and not less than the medium.
+        let capped = |parallel_m3| joint.leak_rate([1e-21, parallel_m3], 0.2, 1e-3).high_m3_per_s;
+        assert_eq!(capped(2e-21), joint.rate_m3_per_s(2e-21));
+        assert_eq!(capped(1e-22), joint.rate_m3_per_s(1e-21));
         // Breadth counts as length does.
         let turned = SealedJoint::new(1e-3, 0.1, 1e5, WATER).unwrap();
         assert!(turned.is_narrow(5e-4) && !turned.is_narrow(2.5e-4) && turned.waves(5e-4) == 2.0);
@@ -171,7 +187,7 @@ mod tests {
     fn extremes_are_finite() {
         for (wide, narrow) in [(1e30, 1e-30), (1e-30, 1e30)] {
             let joint = SealedJoint::new(wide, narrow, wide, SealedFluid::Incompressible(narrow)).unwrap();
-            let LeakRate { low_m3_per_s, high_m3_per_s } = joint.leak_rate(wide, 0.1, wide);
+            let LeakRate { low_m3_per_s, high_m3_per_s } = joint.leak_rate([wide, wide], 0.1, wide);
             assert!(low_m3_per_s > 0.0 && high_m3_per_s.is_finite());
         }
         for fluid in [SealedFluid::Incompressible(-1.0), SealedFluid::Incompressible(0.0)] {

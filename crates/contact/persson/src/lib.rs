@@ -40,4 +40,4 @@ pub use gap_distribution::GapDistribution;
 pub use hardness_path::{HardnessKnot, HardnessPath};
 pub use model::{Cut, PerssonModel};
 pub use roughness::{Place, Roughness, RoughnessSample};
-pub use seal_flow::SealFlow;
+pub use seal_flow::{SealConductance, SealFlow};

@@ -16,52 +16,79 @@ const COUNT: usize = 61;
 pub struct SealFlow {
     law: SealingLaw,
     threshold: PercolationThreshold,
-    ln_factors: [OnceLock<f64>; COUNT],
+    nodes: [OnceLock<Node>; COUNT],
+}
+
+/// Logarithms of conductances over the cube of the mean gap under one load.
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    ln_medium: f64,
+    ln_parallel: f64,
+}
+
+/// Conductance of the gaps of a seal, the cube of the parallel slot that lets as much through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct SealConductance {
+    /// That of the effective medium \[m^3\].
+    pub medium_m3: f64,
+    /// The mean cube of the gap \[m^3\]: all gaps side by side along the flow, which is the most that passes.
+    pub parallel_m3: f64,
 }
 
 impl SealFlow {
     /// Creates the flow of a seal; nothing is computed yet.
     #[must_use]
     pub fn new(law: &SealingLaw) -> Self {
-        SealFlow {
-            law: law.clone(),
-            threshold: law.threshold(),
-            ln_factors: [const { OnceLock::new() }; COUNT],
-        }
+        SealFlow { law: law.clone(), threshold: law.threshold(), nodes: [const { OnceLock::new() }; COUNT] }
     }
 
-    /// Computes the conductance s \[m^3\] of a seal of this one's shape under a nominal pressure p > 0 \[Pa\]; `None` where it is tight.
+    /// Computes the conductance of a seal of this one's shape under a nominal pressure p > 0 \[Pa\]; `None` where it is tight.
     #[must_use]
-    pub fn conductance_m3(&self, seal: &SealingLaw, pressure_pa: f64) -> Option<f64> {
+    pub fn conductance(&self, seal: &SealingLaw, pressure_pa: f64) -> Option<SealConductance> {
         let ratio = pressure_pa / seal.tight_pressure_pa();
-        let is_open = ratio < 1.0;
-        is_open.then(|| self.flow_factor(ratio) * seal.mean_gap_m(pressure_pa).powi(3))
+        if ratio.is_nan() || ratio >= 1.0 {
+            return None;
+        }
+        let slot_m3 = seal.mean_gap_m(pressure_pa).powi(3);
+        let [medium, parallel] = self.flow_factors(ratio);
+        let parallel_m3 = parallel * slot_m3;
+        Some(SealConductance { medium_m3: (medium * slot_m3).min(parallel_m3), parallel_m3 })
     }
 
-    /// Interpolates ln(phi) by cubics.
-    fn flow_factor(&self, pressure_over_tight: f64) -> f64 {
+    /// Interpolates both factors by cubics in their logarithms.
+    fn flow_factors(&self, pressure_over_tight: f64) -> [f64; 2] {
         let last = (COUNT - 1) as f64;
         let place = ((pressure_over_tight / (1.0 - pressure_over_tight)).ln() - LIGHTEST) / STEP;
         let place = place.clamp(0.0, last);
         let first = (place.floor() - 1.0).clamp(0.0, last - 3.0);
         let at = place - first;
-        let node = |node: usize| self.ln_factor(first as usize + node);
-        let weight = |node: usize| {
-            (0..4)
-                .filter(|&other| other != node)
-                .fold(1.0, |weight, other| weight * (at - other as f64) / (node as f64 - other as f64))
-        };
-        (0..4).map(|at| weight(at) * node(at)).sum::<f64>().exp()
+        let mut ln_factors = [0.0; 2];
+        for node in 0..4 {
+            let others = (0..4).filter(|&other| other != node);
+            let weight = others.fold(1.0, |weight, other| {
+                weight * (at - f64::from(other)) / (f64::from(node) - f64::from(other))
+            });
+            let Node { ln_medium, ln_parallel } = self.node(first as usize + node as usize);
+            ln_factors[0] += weight * ln_medium;
+            ln_factors[1] += weight * ln_parallel;
+        }
+        ln_factors.map(f64::exp)
     }
 
-    fn ln_factor(&self, node: usize) -> f64 {
+    fn node(&self, node: usize) -> Node {
         let compute = || {
             let odds = (LIGHTEST + STEP * node as f64).exp();
             let pressure_pa = odds / (1.0 + odds) * self.law.tight_pressure_pa();
-            let medium_m3 = GapDistribution::new(&self.law, pressure_pa).effective_cube_m3(self.threshold);
-            (medium_m3 / self.law.mean_gap_m(pressure_pa).powi(3)).max(f64::MIN_POSITIVE).ln()
+            let gaps = GapDistribution::new(&self.law, pressure_pa);
+            let slot_m3 = self.law.mean_gap_m(pressure_pa).powi(3);
+            let ln_of = |cube_m3: f64| (cube_m3 / slot_m3).max(f64::MIN_POSITIVE).ln();
+            Node {
+                ln_medium: ln_of(gaps.effective_cube_m3(self.threshold)),
+                ln_parallel: ln_of(gaps.mean_power(3)),
+            }
         };
-        *self.ln_factors[node].get_or_init(compute)
+        *self.nodes[node].get_or_init(compute)
     }
 }
 
@@ -95,16 +122,18 @@ mod tests {
         let mut before = f64::INFINITY;
         for share in [1e-7, 3e-4, 0.013, 0.11, 0.37, 0.62, 0.88, 0.97] {
             let pressure_pa = share * law.tight_pressure_pa();
-            let found = flow.conductance_m3(&law, pressure_pa).unwrap();
-            let direct = GapDistribution::new(&law, pressure_pa).effective_cube_m3(law.threshold());
+            let found = flow.conductance(&law, pressure_pa).unwrap();
+            let gaps = GapDistribution::new(&law, pressure_pa);
+            assert!((found.parallel_m3 / gaps.mean_power(3) - 1.0).abs() < 0.02, "{share}: {found:?}");
+            let (found, direct) = (found.medium_m3, gaps.effective_cube_m3(law.threshold()));
             assert!((found / direct - 1.0).abs() < 0.02, "{share}: {found:e} {direct:e}");
             assert!(found < before, "{share}");
             before = found;
         }
         for share in [1.0, 2.0] {
-            assert_eq!(flow.conductance_m3(&law, share * law.tight_pressure_pa()), None);
+            assert_eq!(flow.conductance(&law, share * law.tight_pressure_pa()), None);
         }
-        let almost = flow.conductance_m3(&law, (1.0 - 1e-12) * law.tight_pressure_pa()).unwrap();
+        let almost = flow.conductance(&law, (1.0 - 1e-12) * law.tight_pressure_pa()).unwrap().medium_m3;
         assert!(almost > 0.0 && almost < before);
     }
 
@@ -112,9 +141,9 @@ mod tests {
     fn seals_of_one_shape_share_flow_factors_and_scale_with_their_heights() {
         let (law, higher) = (seal(1.0), seal(1.1));
         let flow = SealFlow::new(&law);
-        let of = |law: &SealingLaw| flow.conductance_m3(law, 0.2 * law.tight_pressure_pa()).unwrap();
+        let of = |law: &SealingLaw| flow.conductance(law, 0.2 * law.tight_pressure_pa()).unwrap().medium_m3;
         assert!((of(&higher) / of(&law) / 1.331 - 1.0).abs() < 1e-9);
         // Four nodes were computed, and shared.
-        assert_eq!(flow.ln_factors.iter().filter(|node| node.get().is_some()).count(), 4);
+        assert_eq!(flow.nodes.iter().filter(|node| node.get().is_some()).count(), 4);
     }
 }

@@ -83,6 +83,9 @@ pub struct FlowRow {
     pub gap_by_theory_m: f64,
     /// Cube of the gap of the effective medium \[m^3\].
     pub medium_m3: f64,
+    /// Mean cube of the gap by the theory \[m^3\].
+    #[serde(default)]
+    pub parallel_m3: f64,
     /// Cube of the gap of Bruggeman's medium \[m^3\].
     pub bruggeman_m3: f64,
     /// Narrowest place of the last channel \[m\].
@@ -142,7 +145,7 @@ impl FlowRow {
     fn range(&self) -> Result<LeakRate, OutOfBounds> {
         let fluid = SealedFluid::Incompressible(1.0 / 12.0);
         let joint = SealedJoint::new(self.first_wave, self.first_wave, 1.0, fluid)?;
-        Ok(joint.leak_rate(self.medium_m3, self.area_by_theory, 1.0))
+        Ok(joint.leak_rate([self.medium_m3, self.parallel_m3], self.area_by_theory, 1.0))
     }
 
     /// The trial to which the row belongs.
@@ -205,6 +208,7 @@ impl FlowTrial {
                 area_by_theory: 0.0,
                 gap_by_theory_m: 0.0,
                 medium_m3: 0.0,
+                parallel_m3: 0.0,
                 bruggeman_m3: 0.0,
                 channel_m: 0.0,
             };
@@ -238,8 +242,9 @@ impl FlowTrial {
             Ok(FlowRow {
                 area_by_theory: digits(states.sealing_area_fraction(load).unwrap_or(1.0)),
                 gap_by_theory_m: digits(value(Quantity::MeanGap)?.unwrap_or(0.0)),
-                medium_m3: digits(states.medium_m3(load).unwrap_or(0.0)),
-                bruggeman_m3: digits(bruggeman.medium_m3(load).unwrap_or(0.0)),
+                medium_m3: digits(states.seal_conductance(load).map_or(0.0, |gaps| gaps.medium_m3)),
+                parallel_m3: digits(states.seal_conductance(load).map_or(0.0, |gaps| gaps.parallel_m3)),
+                bruggeman_m3: digits(bruggeman.seal_conductance(load).map_or(0.0, |gaps| gaps.medium_m3)),
                 channel_m: digits(value(Quantity::ChannelHeight)?.unwrap_or(0.0)),
                 ..*row
             })

@@ -281,8 +281,11 @@ pub(crate) fn answers_under(
 fn asked_rows(conclusions: &Conclusions, load: &AnswerUnderLoad) -> Vec<(&'static str, String)> {
     let at = if conclusions.loads.len() > 1 { format!(" at {}", load.label) } else { String::new() };
     let at = format!("{at}{}", without_adhesion(load));
-    let leak = load.seal.and_then(|seal| seal.leak_rate);
-    let leak = leak.map(|leak| ("Leaks", format!("{}{}{at}", leak_words(&leak), few_waves(conclusions))));
+    let leak = load.seal.and_then(|seal| Some((seal.leak_rate?, seal.fluid_parts_bodies)));
+    let leak = leak.map(|(leak, parts)| {
+        let held = if parts { ", if something keeps the bodies together" } else { "" };
+        ("Leaks", format!("{}{at}{held}{}", leak_words(&leak), few_waves(conclusions)))
+    });
     let asked = load.asked.iter().map(|asked| {
         let heading = asked_heading(asked.quantity);
         let is_of_current = matches!(heading, "Current" | "Resistance");
@@ -309,7 +312,9 @@ fn leak_words(leak: &LeakInUnit) -> String {
 /// Says how few of the longest waves fit into a seal, if chance decides its leak.
 fn few_waves(conclusions: &Conclusions) -> String {
     let few = conclusions.seal.and_then(|seal| seal.few_waves);
-    few.map_or_else(String::new, |waves| format!(", {} longest waves wide", three_digits(waves)))
+    few.map_or_else(String::new, |waves| {
+        format!("; the seal is only {} of the longest waves wide", three_digits(waves))
+    })
 }
 
 fn asked_heading(quantity: Quantity) -> &'static str {

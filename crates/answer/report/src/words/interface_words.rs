@@ -4,6 +4,7 @@ use interface::conductance::{ELECTRON_MEAN_FREE_PATH_M, MOST_PLASTIC_SHARE, Pres
 use interface::sealed_fluid::SealedFluid;
 use interface::tangential::NOTICEABLE_MISMATCH;
 use persson::Band;
+use persson::sealing::PercolationThreshold;
 use questions::remarks_on_separation;
 use scene::Scene;
 use study::interface::InterfaceStates;
@@ -195,6 +196,13 @@ fn of_the_seal(
          single pieces of the surface four of its longest waves wide"
             .to_owned()
     }));
+    let is_usual = seal.threshold == PercolationThreshold::SIMULATED;
+    notes.extend(seal.joint.filter(|_| !is_usual).map(|_| {
+        format!(
+            "that range was found with channels that close at {}",
+            percent(PercolationThreshold::SIMULATED.area_fraction())
+        )
+    }));
     let longest_m = states.longest_wave_m();
     let narrow = seal.joint.filter(|joint| joint.is_narrow(longest_m));
     notes.extend(narrow.map(|joint| {
@@ -214,20 +222,20 @@ fn of_the_seal(
         "faces that are not flat leak around their contact: the high end of the leak rate is what the open gap lets through".to_owned()
     }));
     notes.extend(seal.joint.map(|joint| *joint.fluid()).and_then(|fluid| match fluid {
-        SealedFluid::Gas(gas) => Some(format!("the leak rate is the volume of {} at the outlet", gas.gas)),
+        SealedFluid::Gas(gas) => Some(format!("the leak rate is that of {} at the pressure of the outlet", gas.gas)),
         _ if fluid.is_unnamed_gas() => Some(
             "the viscosity is that of a gas, which expands and slips: give gas = \"air\", say, in place of it".to_owned(),
         ),
         SealedFluid::Incompressible(_) => None,
     }));
     let slips = loads_where(scene, |load| {
-        let (joint, medium_m3) = seal.joint.zip(states.medium_m3(load))?;
-        let times = joint.fluid().notable_slip(joint.pressure_drop_pa(), medium_m3.cbrt())?;
+        let (joint, gaps) = seal.joint.zip(states.seal_conductance(load))?;
+        let times = joint.fluid().notable_slip(joint.pressure_drop_pa(), gaps.medium_m3.cbrt())?;
         Some(format!(" ({} times as much)", three_digits(times)))
     });
-    notes.extend(slips.map(|loads| {
-        format!("the gaps are hardly wider than the mean free path of the gas, which slips at their walls, and it is counted: at {loads}")
-    }));
+    notes.extend(
+        slips.map(|loads| format!("the gas slips at the walls of the gaps, and that is counted: at {loads}")),
+    );
     let sometimes = loads_where(scene, |load| {
         let share = uncertainty?.share_open(load).filter(|share| *share > 0.0 && *share < 1.0)?;
         Some(format!(" ({})", percent(share)))

@@ -13,7 +13,7 @@ use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{LIGHT_CONTACT, LightLoads, STIFFNESS_WITHIN, Separation, SeparationLaw};
-use persson::{Roughness, SealFlow, constant_hardness, elastic};
+use persson::{Roughness, SealConductance, SealFlow, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 
 use super::flat::FlatnessAdds;
@@ -331,7 +331,7 @@ impl<'a> InterfaceStates<'a> {
             Quantity::ChannelHeight => Ok(self.constriction(load).and_then(|seen| seen.opening_gap_m)),
             Quantity::LeakRateLow => Ok(self.leak(load).map(|rate| rate.low_m3_per_s)),
             Quantity::LeakRateHigh => Ok(self.leak(load).map(|rate| rate.high_m3_per_s)),
-            Quantity::LeakGap => Ok(self.medium_m3(load).map(f64::cbrt)),
+            Quantity::LeakGap => Ok(self.seal_conductance(load).map(|gaps| gaps.medium_m3.cbrt())),
             Quantity::FrictionStress | Quantity::FrictionCoefficient => {
                 let area = slot.curve.and_then(|curve| {
                     let curve = self.inputs.results.curves.get(curve)?;
@@ -469,8 +469,9 @@ impl<'a> InterfaceStates<'a> {
 
     fn leak(&self, load: usize) -> Option<LeakRate> {
         let joint = self.request.seal?.joint?;
-        let (medium_m3, area_fraction) = (self.medium_m3(load)?, self.sealing_area_fraction(load)?);
-        Some(joint.leak_rate(medium_m3, area_fraction, self.longest_wave_m()))
+        let (conductance, area_fraction) = (self.seal_conductance(load)?, self.sealing_area_fraction(load)?);
+        let SealConductance { medium_m3, parallel_m3, .. } = conductance;
+        Some(joint.leak_rate([medium_m3, parallel_m3], area_fraction, self.longest_wave_m()))
     }
 
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
@@ -514,13 +515,12 @@ impl<'a> InterfaceStates<'a> {
         *self.elastic.constrictions[load].get_or_init(find)
     }
 
-    /// Computes the conductance of the gaps of a seal under a load, the cube of the parallel slot that lets as much through \[m^3\], by the
-    /// effective medium; `None` without a seal and where it is tight.
+    /// Computes the conductance of the gaps of a seal under a load; `None` without a seal and where it is tight.
     #[must_use]
-    pub fn medium_m3(&self, load: usize) -> Option<f64> {
+    pub fn seal_conductance(&self, load: usize) -> Option<SealConductance> {
         let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
         let is_open = !self.is_closed_by_yielding(load);
-        flow.conductance_m3(sealing, self.pressure_pa(load)).filter(|_| is_open)
+        flow.conductance(sealing, self.pressure_pa(load)).filter(|_| is_open)
     }
 
     /// Returns the share of the area in contact under a load that decides a seal, by a fit to boundary elements; `None` without a seal.

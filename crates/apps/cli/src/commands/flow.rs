@@ -14,12 +14,14 @@ use crate::files::Folder;
 use crate::flags::Flags;
 use crate::inputs::announce;
 use crate::output::stage;
+use crate::picture::Picture;
 use crate::place::Place;
 use crate::progress::Progress;
 use crate::timings::Timings;
 
 pub(super) fn run(args: &FlowArgs, context: &Context<'_>) -> Result<(), Failure> {
     let requests = args.defaults.complete_all(std::slice::from_ref(&args.gap))?;
+    args.figure.iter().try_for_each(Picture::check_of_points).map_err(Failure::input)?;
     let figures: Vec<(PathBuf, PathBuf)> =
         args.figure.iter().map(|picture| (picture.path.clone(), along_y(&picture.path))).collect();
     announce("--figure", figures.iter().flat_map(|(x, y)| [x, y]).cloned().map(Place::File))?;

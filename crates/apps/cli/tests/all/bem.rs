@@ -310,6 +310,11 @@ fn spots_conduct_and_a_film_adds_its_resistance() {
     assert_eq!(numbers(&bare, "largest_share")[0], shares.iter().copied().fold(0.0, f64::max));
     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
     assert!(std::fs::exists(bench.path("fields/load-1-surface-1-current.png")).unwrap());
+    // The current of a map with free edges spreads from all of it into the bodies.
+    let map = ["waves.txt", "--unit=um", "--size=1um", "--pressure=60MPa", "--spots=spots.csv"];
+    let bodies = ["--resistivity=2e-8 ohm m", "--counterface-resistivity=2e-8 ohm m"];
+    let free = with_waves(32, 32).run(&call(&[&map, &bodies]));
+    assert_eq!(free.remarks(&["resistance_ohm", "--boundary periodic"]).len(), 1);
     // A film of a large resistance conducts by area.
     let film = run(&["--film-resistance=1", "--mean-free-path=40nm"]);
     let by_area = 1.0 / areas.iter().sum::<f64>();

@@ -147,6 +147,9 @@ fn what_counts_as_contact_and_what_is_assumed_is_said() {
     assert!(flow("--edges periodic").remarks(&["--edges"]).is_empty());
     assert_eq!(flow("").remarks(&["of 48 points", "missing"]).len(), 1);
     assert_eq!(flow("").remarks(&["closed", "1e-5 of the mean gap"]).len(), 1);
+    let heights = ["flow", "rough.txt", "--unit", "um", "--size", "48um"];
+    assert_eq!(bench.run(&heights).remarks(&["below 0", "heights"]).len(), 1);
+    assert!(flow("").remarks(&["below 0"]).is_empty());
     let pressed = format!("bem rough.txt {PRESSED} --pressure 20MPa --flow");
     let ran = bench.run(&pressed.split_whitespace().collect::<Vec<_>>());
     assert_eq!(ran.remarks(&["walls", "--flow-edges reservoirs"]).len(), 1);
@@ -161,6 +164,9 @@ fn a_picture_of_each_direction_is_drawn() {
         assert!(svg.contains(axis) && svg.contains("contact") && roxmltree::Document::parse(&svg).is_ok());
     }
     bench.write("gap-y.svg", text(6, 8, |_, _| 1.0));
+    // Points have no PDF, which is said before the flow is solved.
+    let pdf = ["flow", "slot.txt", "--unit", "um", "--size", "8um", "--figure", "flow.pdf"];
+    bench.run(&pdf).refused_naming(&["flow.pdf", ".svg"]);
     let replaced = ["flow", "gap-y.svg", "--unit", "um", "--size", "8um", "--figure", "gap.svg"];
     bench.run(&replaced).refused_naming(&["--figure", "gap-y.svg"]);
 }
