@@ -140,15 +140,8 @@ impl SealUnderLoad {
             Some(interval.map_or([value, value], |found| [found.low.min(value), found.high.max(value)]))
         };
         let [low, high] = [Quantity::LeakRateLow, Quantity::LeakRateHigh].map(rate);
-        // Draws that shut the seal, but too many for an interval, let nothing through.
+        let of_flat = low.zip(high).map(|(low, high)| [low[0], high[1]]);
         let open_share = uncertainty.and_then(|found| found.share_open(load));
-        let has_interval = |quantity| {
-            uncertainty
-                .and_then(|found| found.quantity(Slot { quantity, load: Some(load), curve: None }))
-                .is_some()
-        };
-        let may_shut = open_share.is_some_and(|share| share < 1.0) && !has_interval(Quantity::LeakRateLow);
-        let of_flat = low.zip(high).map(|(low, high)| [if may_shut { 0.0 } else { low[0] }, high[1]]);
         let fluid_parts_bodies = states.request.parts_bodies(pressure_pa);
         let leak_rate_m3_per_s = match (of_flat, around(states, load)) {
             (Some([low, high]), Some(around)) => Some([low, high.max(around)]),

@@ -22,6 +22,8 @@ pub(crate) struct Quantities<'p> {
 /// ln of every requested quantity in a draw; `None` without a value.
 pub(crate) type DrawnQuantities = Vec<Option<f64>>;
 
+/// ln of the leak of a draw that is tight: as good as none.
+const SHUT: f64 = -700.0;
 /// The smallest share of draws that must have a value for a quantity to have an interval.
 const MIN_SHARE_WITH_VALUE: f64 = 0.9;
 
@@ -62,7 +64,9 @@ impl<'p> Quantities<'p> {
                     .find(is_its)
                     .map(|area| QuantityInterval::in_proportion(*slot, value, area));
             }
-            let ln_values: Vec<f64> = drawn.iter().filter_map(|draw| draw.as_ref()?[at]).collect();
+            let of_shut = slot.quantity.is_of_leak().then_some(SHUT);
+            let ln_values: Vec<f64> =
+                drawn.iter().filter_map(|draw| draw.as_ref()?[at].or(of_shut)).collect();
             let found = match best.as_ref().and_then(|best| best[at]) {
                 // Leaks scatter over decades to one side, and their mirror image is not an interval.
                 Some(best) => percentiles_about(best, &ln_values, level),
@@ -130,12 +134,14 @@ impl<'p> Quantities<'p> {
 
 impl QuantityInterval {
     fn new(slot: Slot, value: f64, found: &Interval) -> Self {
+        // Between a tight draw and one that leaks lies nothing.
+        let value_of = |ln: f64| if ln < 0.5 * SHUT { 0.0 } else { ln.exp() };
         QuantityInterval {
             slot,
             value,
-            median: found.median.value.exp(),
-            low: found.low.value.exp(),
-            high: found.high.value.exp(),
+            median: value_of(found.median.value),
+            low: value_of(found.low.value),
+            high: value_of(found.high.value),
             monte_carlo_error: found.relative_error(),
         }
     }

@@ -242,7 +242,7 @@ fn of_the_seal(
     });
     notes.extend(sometimes.map(|loads| {
         format!(
-            "a channel is open in some draws only at {loads}; its intervals rest on these draws, and are left out below 90 %"
+            "a channel is open in some draws only at {loads}; the others leak nothing, and have no wavelength and height of a channel"
         )
     }));
     let at_the_end = loads_where(scene, |load| {

@@ -113,6 +113,12 @@ pub struct Slot {
 }
 
 impl Quantity {
+    /// Tells whether it is what leaks through a seal, and so nothing where that is tight.
+    #[must_use]
+    pub fn is_of_leak(self) -> bool {
+        matches!(self, Quantity::LeakGap | Quantity::LeakRateLow | Quantity::LeakRateHigh)
+    }
+
     /// The quantities of a tangential load.
     pub const OF_SHEAR: [Quantity; 5] = [
         Quantity::TangentialStiffness,
