@@ -65,6 +65,7 @@ struct ElasticStates {
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
     sheared: Vec<OnceLock<Option<ShearedContact>>>,
     constrictions: Vec<OnceLock<Option<MagnifiedContact>>>,
+    conductances: Vec<OnceLock<Option<SealConductance>>>,
     /// Flow factors of the seal; draws of a spectrum share them.
     flow: Option<Arc<SealFlow>>,
     /// States with the deviation of the nominal contact from a plane as a wave, if one is given.
@@ -518,9 +519,15 @@ impl<'a> InterfaceStates<'a> {
     /// Computes the conductance of the gaps of a seal under a load; `None` without a seal and where it is tight.
     #[must_use]
     pub fn seal_conductance(&self, load: usize) -> Option<SealConductance> {
-        let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
-        let is_open = !self.is_closed_by_yielding(load);
-        flow.conductance(sealing, self.pressure_pa(load)).filter(|_| is_open)
+        if self.is_closed_by_yielding(load) {
+            return None;
+        }
+        let conduct = || {
+            let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
+            let pressure_over_tight = self.pressure_pa(load) / sealing.tight_pressure_pa();
+            flow.conductance(pressure_over_tight, self.separation(load).mean_gap_m)
+        };
+        *self.elastic.conductances[load].get_or_init(conduct)
     }
 
     /// Returns the share of the area in contact under a load that decides a seal, by a fit to boundary elements; `None` without a seal.
@@ -567,6 +574,7 @@ impl ElasticStates {
             sealing,
             sheared: vec![OnceLock::new(); loads],
             constrictions: vec![OnceLock::new(); loads],
+            conductances: vec![OnceLock::new(); loads],
             flow,
             with_wave: None,
             flatness: vec![OnceLock::new(); loads],
