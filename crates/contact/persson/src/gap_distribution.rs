@@ -111,7 +111,9 @@ impl GapDistribution {
     pub fn effective_cube_m3(&self, threshold: PercolationThreshold) -> f64 {
         let closed_at = threshold.area_fraction();
         let open = 1.0 - self.area_fraction / closed_at;
-        let Some((largest_m, _)) = self.gaps.last().filter(|_| open > 0.0) else { return 0.0 };
+        let Some((largest_m, _)) = self.gaps.last().filter(|(gap_m, _)| open > 0.0 && *gap_m > 0.0) else {
+            return 0.0;
+        };
         let dimensions = 1.0 / (1.0 - closed_at);
         let excess = |ln_s: f64| {
             let s = ln_s.exp();
@@ -251,6 +253,9 @@ mod tests {
             let shut = GapDistribution { area_fraction: closed_at, gaps: vec![(2e-6, 1.0 - closed_at)] };
             assert_eq!(shut.effective_cube_m3(threshold), 0.0);
         }
+        // Gaps that have vanished let nothing through.
+        let vanished = GapDistribution { area_fraction: 0.1, gaps: vec![(0.0, 0.9)] };
+        assert_eq!(vanished.effective_cube_m3(PercolationThreshold::SIMULATED), 0.0);
         // Half of one conductance and half of another, in Bruggeman's medium: their geometric mean.
         let halves = GapDistribution { area_fraction: 0.0, gaps: vec![(1e-6, 0.5), (3e-6, 0.5)] };
         let bruggeman = PercolationThreshold::new(0.5).unwrap();

@@ -12,6 +12,7 @@ const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
     ("on one.001", "channel", "likewise"),
     ("--areal on holed.txt", "gaps", "they are filled anyway, and nothing but a whole map is taken"),
     ("--pressure 50MPa on holed.txt", "gaps", "likewise"),
+    ("flow FILE on map.txt", "size", "flow factors of square points do not depend on their size"),
 ];
 
 /// Files of every kind, with the keys that they need.
