@@ -69,7 +69,9 @@ fn resolve_fluid(
                     format!("key seal.{key}: it needs a gas; give gas = \"air\", say, or leave it out");
                 Err(SceneError::at(span, message))
             }
-            None => Ok(viscosity.as_ref().map(|typed| SealedFluid::Incompressible(typed.value.pa_s))),
+            None => Ok(viscosity
+                .as_ref()
+                .map(|typed| SealedFluid::Incompressible { viscosity_pa_s: typed.value.pa_s })),
         },
         (None, Some(gas)) => {
             let temperature_k = given(&seal.gas_temperature).map(|temperature| temperature.k);

@@ -131,7 +131,7 @@ mod tests {
     use crate::gas::NamedGas;
     use crate::sealed_fluid::LeakingGas;
 
-    const WATER: SealedFluid = SealedFluid::Incompressible(1e-3);
+    const WATER: SealedFluid = SealedFluid::Incompressible { viscosity_pa_s: 1e-3 };
 
     #[test]
     fn a_rate_is_that_of_a_slot_and_its_range_goes_with_the_area() {
@@ -178,7 +178,7 @@ mod tests {
         let air = LeakingGas::new(NamedGas::Air, 288.15, 101_325.0).unwrap();
         let of = |fluid| SealedJoint::new(0.1, 1e-3, 202_650.0, fluid).unwrap().rate_m3_per_s(1e-18);
         let fluid = SealedFluid::Gas(air);
-        let incompressible = of(SealedFluid::Incompressible(fluid.viscosity_pa_s()));
+        let incompressible = of(SealedFluid::Incompressible { viscosity_pa_s: fluid.viscosity_pa_s() });
         // Twice the volume of the mean pressure of 2 atm, where the free path is 32 nm: 1 + 6 0.032.
         assert!((of(fluid) / incompressible - 2.0 * (1.0 + 6.0 * 0.032)).abs() < 1e-9);
     }
@@ -186,11 +186,16 @@ mod tests {
     #[test]
     fn extremes_are_finite() {
         for (wide, narrow) in [(1e30, 1e-30), (1e-30, 1e30)] {
-            let joint = SealedJoint::new(wide, narrow, wide, SealedFluid::Incompressible(narrow)).unwrap();
+            let joint =
+                SealedJoint::new(wide, narrow, wide, SealedFluid::Incompressible { viscosity_pa_s: narrow })
+                    .unwrap();
             let LeakRate { low_m3_per_s, high_m3_per_s } = joint.leak_rate([wide, wide], 0.1, wide);
             assert!(low_m3_per_s > 0.0 && high_m3_per_s.is_finite());
         }
-        for fluid in [SealedFluid::Incompressible(-1.0), SealedFluid::Incompressible(0.0)] {
+        for fluid in [
+            SealedFluid::Incompressible { viscosity_pa_s: -1.0 },
+            SealedFluid::Incompressible { viscosity_pa_s: 0.0 },
+        ] {
             assert!(SealedJoint::new(0.1, 1e-3, 1e5, fluid).is_err());
         }
         assert!(SealedJoint::new(0.1, 1e-3, 0.0, WATER).is_err());

@@ -26,8 +26,11 @@ pub struct LeakingGas {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SealedFluid {
-    /// A fluid that does not expand, by its dynamic viscosity \[Pa s\].
-    Incompressible(f64),
+    /// A fluid that does not expand.
+    Incompressible {
+        /// Dynamic viscosity \[Pa s\].
+        viscosity_pa_s: f64,
+    },
     /// A gas, whose leak rate is its volume at the outlet.
     Gas(LeakingGas),
 }
@@ -105,7 +108,7 @@ impl SealedFluid {
     #[must_use]
     pub fn viscosity_pa_s(&self) -> f64 {
         match self {
-            SealedFluid::Incompressible(viscosity_pa_s) => *viscosity_pa_s,
+            SealedFluid::Incompressible { viscosity_pa_s } => *viscosity_pa_s,
             SealedFluid::Gas(gas) => gas.viscosity_pa_s,
         }
     }
@@ -113,7 +116,7 @@ impl SealedFluid {
     /// Volume that leaks over that of an incompressible fluid that sticks to the walls, under a pressure drop \[Pa\] through a slot \[m\].
     pub(crate) fn volume_factor(&self, pressure_drop_pa: f64, slot_m: f64) -> f64 {
         match self {
-            SealedFluid::Incompressible(_) => 1.0,
+            SealedFluid::Incompressible { .. } => 1.0,
             SealedFluid::Gas(gas) => gas.expansion(pressure_drop_pa) * gas.slip(pressure_drop_pa, slot_m),
         }
     }
@@ -122,7 +125,7 @@ impl SealedFluid {
     #[must_use]
     pub fn notable_slip(&self, pressure_drop_pa: f64, slot_m: f64) -> Option<f64> {
         match self {
-            SealedFluid::Incompressible(_) => None,
+            SealedFluid::Incompressible { .. } => None,
             SealedFluid::Gas(gas) => {
                 Some(gas.slip(pressure_drop_pa, slot_m)).filter(|slip| *slip > 1.0 + NOTABLE_SLIP)
             }
@@ -132,7 +135,7 @@ impl SealedFluid {
     /// Returns true if a viscosity is that of a gas, which is not named and so does not expand.
     #[must_use]
     pub fn is_unnamed_gas(&self) -> bool {
-        matches!(self, SealedFluid::Incompressible(viscosity_pa_s) if *viscosity_pa_s < MOST_VISCOUS_GAS_PA_S)
+        matches!(self, SealedFluid::Incompressible { viscosity_pa_s } if *viscosity_pa_s < MOST_VISCOUS_GAS_PA_S)
     }
 }
 
@@ -142,7 +145,7 @@ impl LeakUnit {
     pub fn of(self, rate_m3_per_s: f64, fluid: &SealedFluid) -> Option<f64> {
         const YEAR_S: f64 = 365.25 * 86_400.0;
         let of_gas = |per_m3: fn(&LeakingGas) -> f64| match fluid {
-            SealedFluid::Incompressible(_) => None,
+            SealedFluid::Incompressible { .. } => None,
             SealedFluid::Gas(gas) => Some(per_m3(gas)),
         };
         let per_m3 = match self {
@@ -177,7 +180,7 @@ mod tests {
         known(of(LeakUnit::MillibarLitrePerSecond), 2e-3);
         // 2e5 Pa 4.003 g/mol / (R 300 K) = 320.96 g/m^3.
         known(of(LeakUnit::GramPerYear), 1e-9 * 2e5 * 4.003 / (8.314_462_618 * 300.0) * 365.25 * 86_400.0);
-        let water = SealedFluid::Incompressible(1e-3);
+        let water = SealedFluid::Incompressible { viscosity_pa_s: 1e-3 };
         let of_liquids: Vec<bool> = LeakUnit::ALL.iter().map(|unit| unit.of(1.0, &water).is_some()).collect();
         assert_eq!(of_liquids, [true, true, true, false, false, false]);
     }
@@ -189,12 +192,12 @@ mod tests {
         assert!((air.notable_slip(1e-9, 384e-9).unwrap() - 2.0).abs() < 1e-9);
         assert_eq!(air.notable_slip(1e-9, 3.9e-6), None);
         assert!(air.notable_slip(1e-9, 3.8e-6).is_some());
-        assert_eq!(SealedFluid::Incompressible(1e-5).notable_slip(1e5, 1e-9), None);
+        assert_eq!(SealedFluid::Incompressible { viscosity_pa_s: 1e-5 }.notable_slip(1e5, 1e-9), None);
     }
 
     #[test]
     fn an_unnamed_gas_is_known_by_its_viscosity() {
-        let is_gas = |viscosity| SealedFluid::Incompressible(viscosity).is_unnamed_gas();
+        let is_gas = |viscosity| SealedFluid::Incompressible { viscosity_pa_s: viscosity }.is_unnamed_gas();
         assert!(is_gas(1.8e-5) && !is_gas(2e-4));
         assert!(!SealedFluid::Gas(LeakingGas::new(NamedGas::Air, 300.0, 1e5).unwrap()).is_unnamed_gas());
         assert!(LeakingGas::new(NamedGas::Air, 100.0, 1e5).is_err());

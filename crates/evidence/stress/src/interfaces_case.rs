@@ -199,7 +199,7 @@ fn gas(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
 /// Checks the leak rate.
 fn leak(trial: &mut Trial<InterfacesCase>) -> Result<(), OutOfBounds> {
     let case = trial.case;
-    let fluid = SealedFluid::Incompressible(case.bodies[0]);
+    let fluid = SealedFluid::Incompressible { viscosity_pa_s: case.bodies[0] };
     let joint = SealedJoint::new(case.length_m, case.rms_height_m, case.pressure_pa, fluid)?;
     let cube_m3 = interface::Bound::Magnitude.check("length", case.length_m)?.powi(3);
     let [rate, of_twice] =

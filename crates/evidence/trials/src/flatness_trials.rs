@@ -1,12 +1,10 @@
 //! Trials of both limits of flatness against elements on surfaces with a real long wave: a table of `docs/develop/trials.md`.
 
 use std::f64::consts::TAU;
-use std::io;
 use std::sync::Mutex;
 
 use conclusions::flatness_within;
 use elements::{Boundary, ContactField, ElementsError, ImposedLoad, Pressing, Relief, Surfaces, press};
-use measurements::Files;
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
@@ -269,15 +267,7 @@ impl FlatnessTrial {
 
     /// Scene of the roughness with the flatness as a user would state it.
     fn scene(&self, spectrum: &AreaSpectrum, height_m: f64, loads_pa: &[f64]) -> Result<Scene, TrialError> {
-        // Profiles have no waves as short as the shortest of the surface.
-        let (longest_m, shortest_m) = (BOX_M / self.band().first_wave, 1.05 * BOX_M / self.band().last_wave);
-        let wavelengths_m: Vec<f64> =
-            (0..=40).map(|at| longest_m * (shortest_m / longest_m).powf(f64::from(at) / 40.0)).collect();
-        let profile = spectrum.profile(&wavelengths_m)?;
-        let mut csv = "wavelength_m,C1D_m3\n".to_owned();
-        for (wavelength_m, c1d_m3) in profile.wavelengths_m().iter().zip(profile.c1d_m3()) {
-            csv += &format!("{wavelength_m:e},{c1d_m3:e}\n");
-        }
+        let file = self.band().file(spectrum, 1.0)?;
         let pressures: Vec<String> =
             loads_pa.iter().map(|pressure_pa| format!("\"{pressure_pa} Pa\"")).collect();
         let text = format!(
@@ -288,21 +278,8 @@ impl FlatnessTrial {
             pressures.join(", "),
             self.form.span_m()
         );
-        Scene::parse(&text, &Spectrum(csv), &Overrides::default())
+        Scene::parse(&text, &file, &Overrides::default())
             .map_err(|error| TrialError::Scene(error.to_string()))
-    }
-}
-
-/// Spectrum in memory.
-struct Spectrum(String);
-
-impl Files for Spectrum {
-    fn read(&self, _: &str) -> io::Result<Vec<u8>> {
-        Ok(self.0.clone().into_bytes())
-    }
-
-    fn read_beside(&self, _: &str, _: &str) -> io::Result<Option<Vec<u8>>> {
-        Ok(None)
     }
 }
 

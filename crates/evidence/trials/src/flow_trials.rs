@@ -1,14 +1,12 @@
 //! Trials of leaks by the effective medium and by the last channel against flow through the gaps of elements: a table of
 //! `docs/develop/trials.md`.
 
-use std::io;
 use std::sync::Mutex;
 
 use elements::{Boundary, ContactField, ImposedLoad, Pressing, Relief, Surfaces, press};
 use interface::OutOfBounds;
 use interface::leak::{LeakRate, SealedJoint};
 use interface::sealed_fluid::SealedFluid;
-use measurements::Files;
 use numerics::parallel::Unobserved;
 use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
@@ -143,7 +141,7 @@ impl FlowRow {
 
     /// Range of the leak rate of the program, of a square joint that passes the cube of its gap.
     fn range(&self) -> Result<LeakRate, OutOfBounds> {
-        let fluid = SealedFluid::Incompressible(1.0 / 12.0);
+        let fluid = SealedFluid::Incompressible { viscosity_pa_s: 1.0 / 12.0 };
         let joint = SealedJoint::new(self.first_wave, self.first_wave, 1.0, fluid)?;
         Ok(joint.leak_rate([self.medium_m3, self.parallel_m3], self.area_by_theory, 1.0))
     }
@@ -255,15 +253,7 @@ impl FlowTrial {
     /// Scene of the spectrum, whose waves count with the root mean square of their gradients along x and y.
     fn scene(&self, spectrum: &AreaSpectrum, threshold: f64) -> Result<Scene, TrialError> {
         let shorter = (0.5 * (1.0 + self.stretch.powi(-2))).sqrt();
-        // Profiles have no waves as short as the shortest of the surface.
-        let (longest_m, shortest_m) = (BOX_M / self.first_wave, 1.05 * BOX_M / self.last_wave);
-        let wavelengths_m: Vec<f64> =
-            (0..=40).map(|at| longest_m * (shortest_m / longest_m).powf(f64::from(at) / 40.0)).collect();
-        let profile = spectrum.profile(&wavelengths_m)?;
-        let mut csv = "wavelength_m,C1D_m3\n".to_owned();
-        for (wavelength_m, c1d_m3) in profile.wavelengths_m().iter().zip(profile.c1d_m3()) {
-            csv += &format!("{:e},{:e}\n", wavelength_m / shorter, c1d_m3 / shorter);
-        }
+        let file = self.band().file(spectrum, shorter)?;
         let pressures: Vec<String> = LOADS
             .iter()
             .map(|load| format!("\"{} Pa\"", TrialLoad::elastic(*load).nominal_pressure_pa()))
@@ -274,21 +264,8 @@ impl FlowTrial {
              percolation_threshold = {threshold}\n",
             pressures.join(", "),
         );
-        Scene::parse(&text, &Spectrum(csv), &Overrides::default())
+        Scene::parse(&text, &file, &Overrides::default())
             .map_err(|error| TrialError::Scene(error.to_string()))
-    }
-}
-
-/// Spectrum in memory.
-struct Spectrum(String);
-
-impl Files for Spectrum {
-    fn read(&self, _: &str) -> io::Result<Vec<u8>> {
-        Ok(self.0.clone().into_bytes())
-    }
-
-    fn read_beside(&self, _: &str, _: &str) -> io::Result<Option<Vec<u8>>> {
-        Ok(None)
     }
 }
 

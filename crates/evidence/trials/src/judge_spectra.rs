@@ -4,9 +4,9 @@ use scene::{Overrides, Scene};
 use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::AreaSpectrum;
 use spectrum::{Convention, Psd};
-use study::Files;
 
 use crate::TrialError;
+use crate::spectra::SpectrumFile;
 
 /// Contact modulus E* of all trials \[Pa\].
 pub(crate) const CONTACT_MODULUS_PA: f64 = 100e9;
@@ -204,7 +204,7 @@ impl JudgeTrial {
             "title = \"trial\"\n[surface]\npsd = \"s.csv\"\n{material}[judge]\nall_models = {all_models}\n\
              [loads]\npressures = [{loads}]\n[[curve]]\nmodel = \"persson\"\n"
         );
-        Scene::parse(&text, &InMemory(csv), &Overrides::default())
+        Scene::parse(&text, &SpectrumFile(csv), &Overrides::default())
             .map_err(|error| TrialError::Scene(error.to_string()))
     }
 }
@@ -275,18 +275,5 @@ impl LayerKind {
             LayerKind::SoftBase => Some(0.1),
             _ => None,
         }
-    }
-}
-
-/// Spectrum in memory.
-struct InMemory(String);
-
-impl Files for InMemory {
-    fn read(&self, _: &str) -> std::io::Result<Vec<u8>> {
-        Ok(self.0.clone().into_bytes())
-    }
-
-    fn read_beside(&self, _: &str, _: &str) -> std::io::Result<Option<Vec<u8>>> {
-        Ok(None)
     }
 }

@@ -1,5 +1,8 @@
 //! Spectra of the study: self-affine surfaces, given in waves per box.
 
+use std::io;
+
+use measurements::Files;
 use serde::{Deserialize, Serialize};
 use spectrum::random_surfaces::{AreaSpectrum, RandomSurfaceError, SelfAffine, Size};
 
@@ -42,6 +45,27 @@ impl WaveBand {
         })
     }
 
+    /// Table of profiles of the spectrum of the band, with its waves this many times as short.
+    ///
+    /// # Errors
+    /// The errors of [`AreaSpectrum::profile`].
+    pub(crate) fn file(
+        &self,
+        spectrum: &AreaSpectrum,
+        shorter: f64,
+    ) -> Result<SpectrumFile, RandomSurfaceError> {
+        // Profiles have no waves as short as the shortest of the surface.
+        let (longest_m, shortest_m) = (BOX_M / self.first_wave, 1.05 * BOX_M / self.last_wave);
+        let wavelengths_m: Vec<f64> =
+            (0..=40).map(|at| longest_m * (shortest_m / longest_m).powf(f64::from(at) / 40.0)).collect();
+        let profile = spectrum.profile(&wavelengths_m)?;
+        let mut csv = "wavelength_m,C1D_m3\n".to_owned();
+        for (wavelength_m, c1d_m3) in profile.wavelengths_m().iter().zip(profile.c1d_m3()) {
+            csv += &format!("{:e},{:e}\n", wavelength_m / shorter, c1d_m3 / shorter);
+        }
+        Ok(SpectrumFile(csv))
+    }
+
     /// Nayak's alpha = m0 m4/m2^2 of its profiles.
     ///
     /// # Errors
@@ -49,6 +73,19 @@ impl WaveBand {
     pub fn alpha(&self) -> Result<f64, RandomSurfaceError> {
         let moments = self.spectrum()?.moments();
         Ok(moments.m0_m2 * moments.m4_per_m2 / (moments.m2 * moments.m2))
+    }
+}
+
+/// Spectrum in memory, as the file that a scene names.
+pub(crate) struct SpectrumFile(pub String);
+
+impl Files for SpectrumFile {
+    fn read(&self, _: &str) -> io::Result<Vec<u8>> {
+        Ok(self.0.clone().into_bytes())
+    }
+
+    fn read_beside(&self, _: &str, _: &str) -> io::Result<Option<Vec<u8>>> {
+        Ok(None)
     }
 }
 

@@ -226,7 +226,7 @@ fn of_the_seal(
         _ if fluid.is_unnamed_gas() => Some(
             "the viscosity is that of a gas, which expands and slips: give gas = \"air\", say, in place of it".to_owned(),
         ),
-        SealedFluid::Incompressible(_) => None,
+        SealedFluid::Incompressible { .. } => None,
     }));
     let slips = loads_where(scene, |load| {
         let (joint, gaps) = seal.joint.zip(states.seal_conductance(load))?;
