@@ -12,8 +12,9 @@ pub(super) struct Lattice {
     pub direction: FlowDirection,
     /// Distance of points across the flow over that along it.
     pub ratio: f64,
+    /// Condition at the two ends along the flow.
+    pub ends: Ends,
     columns: usize,
-    ends: Ends,
 }
 
 impl Lattice {

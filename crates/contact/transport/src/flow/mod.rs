@@ -114,8 +114,8 @@ pub fn solve(
     ends: Ends,
     progress: &dyn Progress,
 ) -> Result<SolvedFlow, FlowError> {
-    let network = Network::new(gap, direction, ends);
     let lattice = Lattice::new(gap.grid(), direction, ends);
+    let network = Network::new(gap, &lattice);
     let is_small = network.count() <= DIRECT;
     let first = if is_small { Method::Direct } else { Method::Iterative };
     match network.solve(&lattice, first, progress) {
@@ -138,8 +138,8 @@ pub fn solve_by(
     ends: Ends,
     progress: &dyn Progress,
 ) -> Result<SolvedFlow, FlowError> {
-    let network = Network::new(gap, direction, ends);
-    network.solve(&Lattice::new(gap.grid(), direction, ends), method, progress)
+    let lattice = Lattice::new(gap.grid(), direction, ends);
+    Network::new(gap, &lattice).solve(&lattice, method, progress)
 }
 
 /// Estimates the error of the factor of a flow that comes from the spacing of the points: its distance from the mean of the flows

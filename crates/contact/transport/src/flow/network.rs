@@ -38,12 +38,12 @@ pub(super) struct Network {
 }
 
 impl Network {
-    pub(super) fn new(gap: &GapField<'_>, direction: FlowDirection, ends: Ends) -> Self {
-        let lattice = Lattice::new(gap.grid(), direction, ends);
+    pub(super) fn new(gap: &GapField<'_>, lattice: &Lattice) -> Self {
+        let ends = lattice.ends;
         let mean_m = gap.mean_gap_m();
         let cubes: Vec<f64> = (0..lattice.points).map(|point| (gap.gap_m(point) / mean_m).powi(3)).collect();
         let is_open = |point: usize| cubes[point] > 0.0;
-        let mut parts = Parts::new(&lattice, is_open);
+        let mut parts = Parts::new(lattice, is_open);
         let mut network = Network::default();
         let mut unknowns = vec![NONE; lattice.points];
         let mut is_held = vec![false; lattice.points + 1];

@@ -19,7 +19,7 @@ mod pieces;
 mod system;
 mod tables;
 
-use elements::half_space::{Grid, HalfSpaceError, patches_with_places};
+use elements::half_space::{Grid, HalfSpaceError, Patch, Places, patches_with_places};
 use elements::{Boundary, ContactField, PointState};
 use interface::conductance::{RelativeStiffness, Resistivities};
 use thiserror::Error;
@@ -41,7 +41,7 @@ pub fn largest_area_fraction(boundary: Boundary) -> f64 {
 /// Largest number of spots: their system takes 0.8 GB.
 pub const MOST_SPOTS: usize = 20_000;
 
-/// How two bodies conduct, and what lies between them.
+/// Conduction of two bodies, and what lies between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpotConduction {
     resistivities: Resistivities,
@@ -167,8 +167,18 @@ impl Spots {
         nominal_share: f64,
         conduction: &SpotConduction,
     ) -> Result<Self, SpotsError> {
+        let patches = patches_with_places(grid, boundary == Boundary::Periodic, is_contact)?;
+        Self::solve_patches(grid, boundary, patches, nominal_share, conduction)
+    }
+
+    fn solve_patches(
+        grid: &Grid,
+        boundary: Boundary,
+        patches: Vec<(Patch, Places)>,
+        nominal_share: f64,
+        conduction: &SpotConduction,
+    ) -> Result<Self, SpotsError> {
         let is_periodic = boundary == Boundary::Periodic;
-        let patches = patches_with_places(grid, is_periodic, is_contact)?;
         if grid.is_line() {
             return Err(SpotsError::Line);
         }
@@ -280,9 +290,10 @@ impl FieldSpots {
     /// the resistance.
     pub fn new(field: &ContactField<'_>, conduction: SpotConduction) -> Result<Self, SpotsError> {
         let (grid, outline) = (field.relief.grid()?, field.relief.outline()?);
-        let is_contact = is_contact(field);
-        let touching_m2 = field.patches()?.patches.iter().map(|patch| patch.area_corrected_m2).sum();
-        let solved = Spots::solve(&grid, field.relief.boundary, &is_contact, outline.share(), &conduction);
+        let patches = patches_of(field, &grid)?;
+        let touching_m2 = patches.iter().map(|(patch, _)| patch.area_corrected_m2).sum();
+        let boundary = field.relief.boundary;
+        let solved = Spots::solve_patches(&grid, boundary, patches, outline.share(), &conduction);
         match solved {
             Err(error @ (SpotsError::Grid(_) | SpotsError::Line)) => Err(error),
             solved => Ok(FieldSpots {
@@ -305,9 +316,9 @@ impl FieldSpots {
     /// [`SpotsError`] for a field of another size than its grid.
     pub fn shares_at_points(&self, field: &ContactField<'_>) -> Result<Option<Vec<f64>>, SpotsError> {
         let Ok(solved) = &self.solved else { return Ok(None) };
-        let (grid, is_contact) = (field.relief.grid()?, is_contact(field));
+        let grid = field.relief.grid()?;
+        let patches = patches_of(field, &grid)?;
         let mut shares = vec![0.0; grid.points()];
-        let patches = patches_with_places(&grid, field.relief.boundary == Boundary::Periodic, &is_contact)?;
         for (spot, (_, places)) in solved.spots.iter().zip(patches) {
             for [column, row] in places {
                 let [column, row] =
@@ -348,7 +359,8 @@ impl FieldSpots {
     }
 }
 
-/// Returns for each point of a field, row by row, true if it is in contact.
-fn is_contact(field: &ContactField<'_>) -> Vec<bool> {
-    field.states().map(|state| state != PointState::Open).collect()
+/// Finds the patches of a pressed surface, the largest first, with their places.
+fn patches_of(field: &ContactField<'_>, grid: &Grid) -> Result<Vec<(Patch, Places)>, HalfSpaceError> {
+    let is_contact: Vec<bool> = field.states().map(|state| state != PointState::Open).collect();
+    patches_with_places(grid, field.relief.boundary == Boundary::Periodic, &is_contact)
 }

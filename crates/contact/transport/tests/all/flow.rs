@@ -62,6 +62,16 @@ fn pressed_like(rows: usize, columns: usize, closed: f64, seed: u64) -> Vec<f64>
 }
 
 #[test]
+fn points_without_a_gap_and_with_next_to_none_are_closed() {
+    let gaps_m = [1e-6, 1e-12, f64::INFINITY, f64::NAN, -1e-6, 1e-10];
+    let gap = GapField::new(grid(2, 3), &gaps_m[..]).unwrap();
+    let found: Vec<f64> = (0..6).map(|point| gap.gap_m(point)).collect();
+    assert_eq!(found, [1e-6, 0.0, 0.0, 0.0, 0.0, 1e-10]);
+    assert_eq!(gap.closed_share(), 4.0 / 6.0);
+    assert!((gap.mean_gap_m() / (1e-6 / 6.0) - 1.0).abs() < 1e-3);
+}
+
+#[test]
 fn a_slot_has_a_flow_factor_of_1() {
     for (rows, columns) in [(1, 1), (1, 5), (5, 1), (2, 2), (7, 12), (64, 81)] {
         for direction in BOTH {
