@@ -41,7 +41,7 @@ impl Gap<'_> {
                 Ok(GapMap {
                     grid: Grid::new(rows, columns, x_m, y_m).map_err(|error| of_argument("gap", error))?,
                     gaps_m: gaps_m.as_array().iter().copied().collect(),
-                    is_periodic: is_periodic.unwrap_or_default(),
+                    own_edges: is_periodic.unwrap_or_default().then_some(FlowEdges::Periodic),
                     notes: Vec::new(),
                     provenance: String::new(),
                 })

@@ -11,7 +11,7 @@ use topography::readings;
 use transport::GapField;
 use transport::flow::{self, Ends, FlowDirection, FlowError, SolvedFlow};
 use units::display::three_digits;
-use units::{Bound, Remark, RemarkCode, named};
+use units::{Bound, OutOfBounds, Remark, RemarkCode, named};
 
 use crate::{Answer, QuestionError};
 
@@ -160,8 +160,8 @@ pub struct GapMap {
     pub grid: Grid,
     /// Gap \[m\] at each point, row by row; contact where it is not above 0, and where it is missing (NaN).
     pub gaps_m: Vec<f64>,
-    /// True if the gaps are known to repeat themselves.
-    pub is_periodic: bool,
+    /// Conditions at the edges of the surface that was pressed or measured, if they are known.
+    pub own_edges: Option<FlowEdges>,
     /// Assumptions made on reading.
     pub notes: Vec<Remark>,
     /// The file with its SHA-256; empty if there is none.
@@ -197,17 +197,23 @@ impl GapMap {
         let (rows, (x_m, y_m)) = (rows.unwrap_or(1), file.scan.size_m());
         let y_m = y_m.unwrap_or(x_m / columns as f64 * rows as f64);
         let grid = Grid::new(rows, columns, x_m, y_m).map_err(|error| no_map(error.to_string()))?;
+        // Fields of pressed surfaces say whether these repeat themselves; other files only say where they do.
+        let is_field = file.channel.as_deref() == Some(GAP_CHANNEL);
+        let own_edges = match file.is_periodic {
+            true => Some(FlowEdges::Periodic),
+            false => is_field.then_some(FlowEdges::Channel),
+        };
         let of_file = |note: Remark| note.about([file.name.as_str()]);
         Ok(GapMap {
             grid,
             gaps_m: file.scan.heights_m().map(|gap_m| gap_m.unwrap_or(f64::NAN)).collect(),
-            is_periodic: file.is_periodic,
+            own_edges,
             notes: readings(&file.notes).into_iter().map(of_file).collect(),
             provenance: format!("gaps: {} ({}), SHA-256 {sha256}", request.path, file.format),
         })
     }
 
-    /// Solves the flow under these conditions; without any, the gaps are taken to repeat themselves.
+    /// Solves the flow under these conditions; without any, under its own, or else as if the gaps repeated themselves.
     ///
     /// Columns: `flow_factor_x, flow_factor_y, flow_factor_x_error, flow_factor_y_error, mean_gap_m, closed_fraction, open_along_x,
     /// open_along_y, residual, iterations`.
@@ -222,10 +228,11 @@ impl GapMap {
         let gap = field(self.grid, &self.gaps_m)?;
         let open_m = || self.gaps_m.iter().copied().filter(|gap_m| *gap_m > 0.0 && gap_m.is_finite());
         if let Some(largest_m) = open_m().reduce(f64::max) {
-            let error = |error| QuestionError::Value { option: GAP_CHANNEL, error };
+            let error = |error: OutOfBounds| QuestionError::Other(error.to_string());
             Bound::Magnitude.check("the largest gap in m", largest_m).map_err(error)?;
         }
-        let found = GapFlow::solve(&gap, edges.unwrap_or(FlowEdges::Periodic), progress)?;
+        let own_edges = self.own_edges.unwrap_or(FlowEdges::Periodic);
+        let found = GapFlow::solve(&gap, edges.unwrap_or(own_edges), progress)?;
         let OpenPaths { along_x, along_y } = found.open_paths();
         let iterations = found.along_x.iterations.max(found.along_y.iterations);
         let [x_error, y_error] = found.spacing_errors;
@@ -244,9 +251,12 @@ impl GapMap {
         let table =
             columns.iter().fold(Table::default(), |table, (name, value)| table.with_numbers(name, [*value]));
         let mut notes = self.notes.clone();
-        if edges.is_none() && !self.is_periodic {
-            notes.push(Remark::new(RemarkCode::GapTakenPeriodic));
-        }
+        let assumed = match self.own_edges {
+            None => Some(RemarkCode::GapTakenPeriodic),
+            Some(FlowEdges::Periodic) => None,
+            Some(_) => Some(RemarkCode::GapInChannel),
+        };
+        notes.extend(assumed.filter(|_| edges.is_none()).map(Remark::new));
         let points = self.gaps_m.len();
         let closed = (0..points).filter(|&point| gap.gap_m(point) == 0.0).count();
         if closed > 0 {
@@ -298,7 +308,7 @@ impl PressedFlow {
                 maps.iter().flat_map(|map| &map.is_missing).filter(|is_missing| **is_missing).count();
             if missing > 0 {
                 return Err(QuestionError::Other(format!(
-                    "flow: {missing} points of the map have no height, and the gap there is unknown; fill them before the map is pressed"
+                    "flow: {missing} points of the map have no height, and the gap there is unknown; fill them (gaps=harmonic behind the file)"
                 )));
             }
             if maps.iter().any(|map| map.boundary == Boundary::Free) {

@@ -93,18 +93,22 @@ impl PressedSpots {
         Err(QuestionError::Other(format!("spots with {other}")))
     }
 
-    /// Solves the spots of one surface under one load, and keeps them. Returns the share of the current through the spot of each point,
-    /// row by row, 0 between spots; `None` if the spots could not be solved.
+    /// Solves the spots of one surface under one load, and keeps them. Where it is asked for, returns the share of the current through
+    /// the spot of each point, row by row, 0 between spots; `None` if the spots could not be solved.
     ///
     /// # Errors
     /// [`QuestionError`] for a line.
-    pub fn solve(&self, field: &ContactField<'_>) -> Result<Option<Vec<f64>>, QuestionError> {
+    pub fn solve(
+        &self,
+        field: &ContactField<'_>,
+        asks_shares: bool,
+    ) -> Result<Option<Vec<f64>>, QuestionError> {
         let of_error = |error: SpotsError| QuestionError::Other(error.to_string());
         let spots = FieldSpots::new(field, self.conduction).map_err(of_error)?;
         if field.relief.boundary == Boundary::Free {
             self.has_free_edges.store(true, Ordering::Relaxed);
         }
-        let shares = spots.shares_at_points(field).map_err(of_error)?;
+        let shares = if asks_shares { spots.shares_at_points(field).map_err(of_error)? } else { None };
         self.found.lock().unwrap_or_else(PoisonError::into_inner).push(spots);
         Ok(shares)
     }

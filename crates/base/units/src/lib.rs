@@ -28,7 +28,7 @@ pub use number_text::without_comma;
 pub use pressure_range::{PressureRange, PressureRangeError, log_spaced};
 pub use quantity::{
     Area, Force, ForcePerLength, IndentationHardness, Length, Modulus, Pressure, Resistivity, SignedLength,
-    Temperature, ThermalConductivity, Viscosity, WorkOfAdhesion,
+    SpecificResistance, Temperature, ThermalConductivity, Viscosity, WorkOfAdhesion,
 };
 pub use quantity_error::QuantityError;
 pub use remark::{Remark, RemarkCode, RemarkLevel, RemarkPlace, RemarkValue, SceneKeys, Spelling};

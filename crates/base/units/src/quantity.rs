@@ -9,7 +9,7 @@ use crate::hardness_scale::{HardnessScale, pascals_per_rockwell_c};
 use crate::quantity_error::QuantityError;
 use crate::quantity_kind::{
     AREA, FORCE, FORCE_PER_LENGTH, HARDNESS, HARDNESS_UNIT, LENGTH, MODULUS, PRESSURE, RESISTIVITY,
-    TEMPERATURE, THERMAL_CONDUCTIVITY, VISCOSITY, WORK_OF_ADHESION, scaled,
+    SPECIFIC_RESISTANCE, TEMPERATURE, THERMAL_CONDUCTIVITY, VISCOSITY, WORK_OF_ADHESION, scaled,
 };
 use crate::unit_scale::UnitScale;
 
@@ -50,6 +50,8 @@ positive!(
     ThermalConductivity { w_per_m_k: "In watts per metre and kelvin." } of THERMAL_CONDUCTIVITY,
     /// An electrical resistivity > 0.
     Resistivity { ohm_m: "In ohm metres." } of RESISTIVITY,
+    /// A specific resistance of an interface > 0, per area.
+    SpecificResistance { ohm_m2: "In ohm square metres." } of SPECIFIC_RESISTANCE,
     /// A dynamic viscosity > 0.
     Viscosity { pa_s: "In pascal seconds." } of VISCOSITY,
     /// A work of adhesion > 0.
@@ -303,6 +305,11 @@ mod tests {
         let conductivity = |text: &str| text.parse::<ThermalConductivity>().unwrap_err();
         assert!(matches!(conductivity("46"), QuantityError::NoUnit { what: "thermal conductivity", .. }));
         assert!(matches!(conductivity("-46 W/(m K)"), QuantityError::NotPositive { .. }));
+        for (text, expected) in [("2 ohm m^2", 2.0), ("3e-9 Ω cm²", 3e-13), ("4 uohm mm^2", 4e-12)] {
+            let found = text.parse::<SpecificResistance>().unwrap().ohm_m2;
+            assert!((found / expected - 1.0).abs() < 1e-14, "{text}: {found}");
+        }
+        assert!("1e-12".parse::<SpecificResistance>().is_err());
         let resistance = "5 ohm".parse::<Resistivity>().unwrap_err();
         assert!(matches!(resistance, QuantityError::WrongUnit { unit, .. } if unit == "ohm"));
     }

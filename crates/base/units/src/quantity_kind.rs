@@ -102,6 +102,18 @@ pub(crate) const RESISTIVITY: Kind = Kind {
     example: "1.7e-8 ohm m",
 };
 
+pub(crate) const SPECIFIC_RESISTANCE: Kind = Kind {
+    what: "specific resistance",
+    units: Units::Listed(&[
+        (&["ohm m^2", "ohm m²", "Ohm m^2", "Ω m^2", "Ω m²", "Ω·m²"], ten(0)),
+        (&["ohm cm^2", "ohm cm²", "Ohm cm^2", "Ω cm^2", "Ω cm²", "Ω·cm²"], ten(-4)),
+        (&["uohm cm^2", "µΩ cm²", "μΩ cm²"], ten(-10)),
+        (&["uohm mm^2", "µΩ mm²", "μΩ mm²"], ten(-12)),
+    ]),
+    own_units: &[],
+    example: "1e-12 ohm m^2",
+};
+
 pub(crate) const VISCOSITY: Kind = Kind {
     what: "viscosity",
     units: Units::Listed(&[

@@ -322,8 +322,12 @@ remark_codes! {
     GapTakenPeriodic "flow.edges" Note
         "nothing says that the gap repeats itself: it is taken to, in both directions; {--edges=channel} lets fluid flow from edge to edge \
          between walls";
+    GapInChannel "flow.edges" Note
+        "the map that was pressed has free edges: fluid flows from edge to edge between walls; {--edges=periodic} takes the gap to repeat \
+         itself";
     ClosedGaps "flow.closed" Note
-        "{closed} of {points|point} closed[, {missing} of them because they are missing][, {tiny} with a gap below 1e-5 of the mean gap]";
+        "the gap is closed at {closed} of {points|point}[, at {missing} of them because they are missing][, at {tiny} because it is below 1e-5 of the mean \
+         gap]";
     Spots "pressed.spots" Note
         "{spots|spot} on {area%} of the area; the largest share of the current through one is {share%}";
     SpotsOutOfRange "pressed.spots" Note

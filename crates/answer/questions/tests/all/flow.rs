@@ -104,7 +104,7 @@ fn missing_points_are_refused_and_work_may_be_ended() {
     let gap = GapMap {
         grid: Grid::new(4, 4, 1.0, 1.0).unwrap(),
         gaps_m: vec![1e-6; 16],
-        is_periodic: true,
+        own_edges: Some(FlowEdges::Periodic),
         notes: Vec::new(),
         provenance: String::new(),
     };

@@ -12,7 +12,9 @@ use questions::{BranchChoice, LoadInput, MaterialInput, RandomInput};
 use spectrum::random_surfaces::Phases;
 use study::measured::Kind;
 use topography::Detrend;
-use units::{Force, ForcePerLength, Length, Pressure, PressureRange, Resistivity, WorkOfAdhesion};
+use units::{
+    Force, ForcePerLength, Length, Pressure, PressureRange, Resistivity, SpecificResistance, WorkOfAdhesion,
+};
 
 use super::groups::{BodiesArgs, FigureArg, ReadingArgs};
 use super::layer::LayerArgs;
@@ -126,9 +128,9 @@ pub(crate) struct SpotsArgs {
     /// Electrical resistivity of the counterface
     #[arg(long, value_name = "RHO", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
     pub counterface_resistivity: Option<Resistivity>,
-    /// Specific resistance of a film between the bodies, such as an oxide, in ohm m^2, as 1e-12
-    #[arg(long, value_name = "OHM_M2", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
-    pub film_resistance: Option<f64>,
+    /// Specific resistance of a film between the bodies, such as an oxide: 1e-12ohm m^2, say
+    #[arg(long, value_name = "R", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
+    pub film_resistance: Option<SpecificResistance>,
     /// Mean free path of electrons: spots below it conduct less (Sharvin)
     #[arg(long, value_name = "L", requires = "spots", conflicts_with_all = ["ball_radius", "cylinder_radius"], allow_hyphen_values = true)]
     pub mean_free_path: Option<Length>,
@@ -167,14 +169,14 @@ pub(crate) struct MapArgs {
 }
 
 impl BemArgs {
-    /// How the bodies conduct, as questions take it.
+    /// Conduction of the bodies, as questions take it.
     pub fn spots_input(&self) -> SpotsInput {
         let SpotsArgs { resistivity, counterface_resistivity, film_resistance, mean_free_path, .. } =
             self.spots;
         let given = SpotsInput {
             resistivity_ohm_m: resistivity.map(|resistivity| resistivity.ohm_m),
             counterface_resistivity_ohm_m: counterface_resistivity.map(|resistivity| resistivity.ohm_m),
-            film_resistance_ohm_m2: film_resistance,
+            film_resistance_ohm_m2: film_resistance.map(|film| film.ohm_m2),
             mean_free_path_m: mean_free_path.map(|path| path.m),
         };
         given.filled_from(self.material.named.material.as_ref(), self.material.named.on.as_ref())

@@ -78,7 +78,7 @@ pub(super) fn run(args: &BemArgs, context: &Context<'_>) -> Result<(), Failure> 
             patches.lock().unwrap_or_else(PoisonError::into_inner).push(found);
         }
         let flow = flow.as_ref().map(|flow| flow.solve(field, &progress)).transpose()?;
-        let shares = spots.as_ref().map(|spots| spots.solve(field)).transpose()?.flatten();
+        let shares = spots.as_ref().map(|spots| spots.solve(field, fields.is_some())).transpose()?.flatten();
         match &fields {
             Some(fields) => fields.stage(field, flow, shares, &files),
             None => Ok(()),

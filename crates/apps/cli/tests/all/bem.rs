@@ -316,7 +316,7 @@ fn spots_conduct_and_a_film_adds_its_resistance() {
     let free = with_waves(32, 32).run(&call(&[&map, &bodies]));
     assert_eq!(free.remarks(&["resistance_ohm", "--boundary periodic"]).len(), 1);
     // A film of a large resistance conducts by area.
-    let film = run(&["--film-resistance=1", "--mean-free-path=40nm"]);
+    let film = run(&["--film-resistance=1 ohm m^2", "--mean-free-path=40nm"]);
     let by_area = 1.0 / areas.iter().sum::<f64>();
     assert!((numbers(&film, "resistance_ohm")[0] / by_area - 1.0).abs() < 1e-6);
 }

@@ -231,7 +231,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("fields", ["fields", "fields"]),
     ("patches", ["patches.csv", "patches.csv"]),
     ("spots", ["spots.csv", "spots.csv"]),
-    ("film_resistance", ["1e-12", "1e-10"]),
+    ("film_resistance", ["1e-12 ohm m^2", "1e-10 ohm m^2"]),
     ("mean_free_path", ["40nm", "1um"]),
     ("poisson_ratio", ["0.1", "0.45"]),
     ("counterface_poisson_ratio", ["0.1", "0.45"]),
