@@ -77,11 +77,13 @@ const PATIENCE: usize = 20;
 const PLAIN: usize = 10;
 const CYCLE: usize = 80;
 
-/// Computes pressures in equilibrium, into `state`; `None` if `watch`, which receives every residual, cancels.
+/// Computes pressures in equilibrium, into `state`, from even ones or from those of another load that `state` holds; `None` if
+/// `watch`, which receives every residual, cancels.
 pub(crate) fn descend(
     problem: &Problem,
     operators: &mut Operators,
     state: &mut State,
+    goes_on: bool,
     mut watch: impl FnMut(f64) -> bool,
 ) -> Option<Outcome> {
     let (offset, mean) = match problem.held {
@@ -101,7 +103,9 @@ pub(crate) fn descend(
         accumulated: 0.0,
         applied: 0,
     };
-    descent.start();
+    if !(goes_on && descent.go_on()) {
+        descent.start();
+    }
     let mut residual = descent.look(0.0);
     let (mut iterations, mut renewed_at, mut best, mut best_at) = (0, 0, residual, 0);
     let ending = loop {
@@ -177,6 +181,29 @@ impl Descent<'_> {
         } else {
             self.state.gaps.iter_mut().zip(self.problem.heights).for_each(|(gap, height)| *gap = -height);
         }
+    }
+
+    /// Brings pressures of another load to the mean of this one; false if the points that they press cannot carry it.
+    fn go_on(&mut self) -> bool {
+        let cap = self.problem.cap;
+        let State { pressures, change, response, free, trial, .. } = &mut *self.state;
+        free.clear();
+        free.extend(
+            (0u32..).zip(&*pressures).filter_map(|(point, &pressure)| (pressure > 0.0).then_some(point)),
+        );
+        let sum = self.mean * pressures.len() as f64;
+        if free.is_empty() || cap * free.len() as f64 <= sum {
+            return false;
+        }
+        let [carried] = sums::over(free.len(), |at| [pressures[free[at] as usize]]);
+        trial.clear();
+        trial.extend(free.iter().map(|&point| sum / carried * pressures[point as usize]));
+        bring_to_sum(trial, cap, sum);
+        free.iter().zip(&*trial).for_each(|(&point, &pressure)| pressures[point as usize] = pressure);
+        change.fill(0.0);
+        response.fill(0.0);
+        self.renew();
+        true
     }
 
     /// Computes the gaps of the pressures anew, without accumulated rounding.

@@ -5,6 +5,7 @@ mod always_ends;
 mod approach;
 mod common;
 mod exact;
+mod in_turn;
 mod indenter;
 mod invariances;
 mod pressed;
