@@ -295,7 +295,8 @@ fn a_file_names_the_model_and_every_caution_in_its_comments() {
     let cautions: Vec<_> = law.notes.iter().filter(|note| note.level == RemarkLevel::Caution).collect();
     let lines = law.description(&SceneKeys);
     assert!(!cautions.is_empty());
-    assert_eq!(lines.len(), 1 + cautions.len());
+    // The last line says by how much flow moves the law.
+    assert_eq!(lines.len(), 2 + cautions.len());
     assert!(lines[0].contains(law.model.full_name) && lines[0].contains(law.model.citation));
     for (line, caution) in lines[1..].iter().zip(cautions) {
         assert!(line.contains(&caution.words(&SceneKeys)), "{line}");

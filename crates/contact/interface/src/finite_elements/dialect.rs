@@ -113,7 +113,8 @@ fn interaction(heading: &Heading, form: &str) -> String {
     format!("*SURFACE INTERACTION, NAME={name}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={form}\n")
 }
 
-/// Pressure, overclosure, mean gap, area fraction, and additional columns; numbers with all their digits.
+/// Pressure, overclosure, distance of the mean planes, area fraction, and additional columns; numbers with all their digits. The
+/// distance is called the mean gap unless an additional column is.
 fn csv(
     law: &ContactLaw,
     units: UnitSystem,
@@ -127,7 +128,10 @@ fn csv(
     }
     let (pressure, length) = (units.pressure_symbol(), units.length_symbol());
     let mut text = Dialect::Csv.commented(&heading.of_table(law, units, Vec::new()));
-    text += &format!("pressure_{pressure},overclosure_{length},mean_gap_{length},area_fraction");
+    let mean_gap = format!("mean_gap_{length}");
+    let has_mean_gap = columns.iter().any(|column| column.name == mean_gap);
+    let distance = if has_mean_gap { format!("mean_plane_distance_{length}") } else { mean_gap };
+    text += &format!("pressure_{pressure},overclosure_{length},{distance},area_fraction");
     columns.iter().for_each(|column| text += &format!(",{}", column.name));
     text.push('\n');
     for (at, ((pressure, overclosure), point)) in law.rows(units).zip(&law.points).enumerate() {

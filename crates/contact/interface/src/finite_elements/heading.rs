@@ -40,7 +40,7 @@ impl Heading {
         let mut sentences = vec![
             format!(
                 "Pressure against overclosure of a rough surface from {} {pressure} to {} {pressure}: {} rows, and straight \
-                 lines between them, which are off by at most {} % of the pressure.",
+                 lines between them, within {} % of the pressure of this model.",
                 number(units.pressure(first)),
                 number(units.pressure(last)),
                 law.points.len(),
@@ -50,8 +50,9 @@ impl Heading {
             NOMINAL.to_owned(),
             EXCESS.to_owned(),
             format!(
-                "The overclosure is u_ref - u: u is the mean gap, and u_ref = {} {length} the one at {} {pressure}. There the \
-                 law is cut off, the pressure is set to 0, and at larger gaps there is none.",
+                "The overclosure is u_ref - u: u is the distance of the mean planes, which is the mean gap where nothing flows, and \
+                 u_ref = {} {length} the one at {} {pressure}. There the law is cut off, the pressure is set to 0, and at larger \
+                 distances there is none.",
                 number(units.length(cut.mean_gap_m)),
                 number(units.pressure(cut.pressure_pa))
             ),

@@ -97,7 +97,7 @@ fn a_comment_says_where_the_law_comes_from_and_what_was_cut() {
     for said in [
         "truearea law psd.csv",
         "from 0.01 MPa to 1000 MPa",
-        "at most 1 % of the pressure",
+        "within 1 % of the pressure of this model",
         "Units N-mm: forces in N, lengths in mm, pressures in MPa",
         "Pressures are nominal",
         "in excess of smooth bodies",
