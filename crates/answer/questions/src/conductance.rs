@@ -10,7 +10,7 @@ use numerics::parallel::Progress;
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::body_properties::BodyProperty;
-use study::gap_law::{GapError, GapLaw};
+use study::gap_law::{GapError, GapLaw, GapState};
 use study::interface::GasInput;
 use study::material::Material;
 use study::materials::TabledMaterial;
@@ -20,6 +20,7 @@ use study::surface::Surface;
 use units::display::{length, pressure, three_digits};
 use units::{OutOfBounds, Remark, RemarkCode, Resistivity, Spelling, ThermalConductivity, named};
 
+use crate::elements_law::ElementsLaw;
 use crate::gap::cautions;
 use crate::loads::nominal_pressure;
 use crate::option::{first_given, not_of_model};
@@ -110,6 +111,8 @@ pub struct FoundConductance {
 enum Spots {
     /// Barber's analogy with the stiffness of a model.
     Analogy { model: &'static ModelEntry, law: Box<GapLaw>, modulus_pa: f64 },
+    /// Barber's analogy with the stiffness of boundary elements on unloading.
+    Elements { law: Box<ElementsLaw>, modulus_pa: f64 },
     /// A correlation for flowed peaks.
     Correlation { correlation: PlasticCorrelation, surface: CutSurface, hardness_pa: f64, cutoff_m: f64 },
 }
@@ -235,6 +238,23 @@ impl LawTableQuestion {
         }))
     }
 
+    /// The conductance of pressed surfaces.
+    pub(crate) fn conductance_of_elements(
+        &self,
+        law: ElementsLaw,
+    ) -> Result<FoundConductance, QuestionError> {
+        let flow = self.flow().unwrap_or(Flow::Heat);
+        let material = self.material()?;
+        Ok(FoundConductance {
+            flow,
+            notes: law.notes.clone(),
+            range_pa: law.range_pa,
+            spots: Spots::Elements { law: Box::new(law), modulus_pa: material.pair.composite_modulus_pa() },
+            conductivities: self.transport.conductivities(flow)?,
+            gas: self.gas(&material)?,
+        })
+    }
+
     /// The material; a correlation takes half-spaces, and of their elastic constants none but the Poisson's ratios that tell which
     /// body is softer.
     fn material(&self) -> Result<Material, QuestionError> {
@@ -330,7 +350,12 @@ impl FoundConductance {
         tolerance: f64,
         progress: &dyn Progress,
     ) -> Result<ConductanceTable, QuestionError> {
-        let sampled = ConductanceTable::sample(self.flow, self.range_pa, tolerance, |pressure_pa| {
+        // The rest of the error is that between loads.
+        let of_lines = match &self.spots {
+            Spots::Elements { law, .. } => tolerance - law.stiffness_error,
+            Spots::Analogy { .. } | Spots::Correlation { .. } => tolerance,
+        };
+        let sampled = ConductanceTable::sample(self.flow, self.range_pa, of_lines, |pressure_pa| {
             if progress.is_cancelled() {
                 return Err(QuestionError::Plan(PlanError::Cancelled));
             }
@@ -348,16 +373,10 @@ impl FoundConductance {
         let out_of_range = |error: OutOfBounds| QuestionError::Value { option: "pressure_range", error };
         let (contact_si, gas_si) = match &self.spots {
             Spots::Analogy { law, modulus_pa, .. } => {
-                let state = law.at(pressure_pa)?;
-                let no_stiffness = QuestionError::NoStiffness { pressure_pa };
-                let stiffness = state.stiffness_pa_per_m.filter(|stiffness| stiffness.is_finite());
-                let (Some(stiffness), Some(mean_gap_m)) = (stiffness, state.mean_gap_m) else {
-                    return Err(no_stiffness);
-                };
-                let relative = RelativeStiffness::new(stiffness, *modulus_pa).map_err(out_of_range)?;
-                let contact_si = relative.thermal_conductance_w_per_m2_k(&self.conductivities);
-                let gas = self.gas.map(|gas| gas.conductance_w_per_m2_k(mean_gap_m, law.rms_height_m));
-                (contact_si, gas.unwrap_or(0.0))
+                self.by_analogy(&law.at(pressure_pa)?, *modulus_pa, law.rms_height_m)?
+            }
+            Spots::Elements { law, modulus_pa } => {
+                self.by_analogy(&law.at(pressure_pa), *modulus_pa, law.rms_height_m)?
             }
             Spots::Correlation { correlation, surface, hardness_pa, .. } => {
                 let ratio = PressureRatio::new(pressure_pa, *hardness_pa).map_err(out_of_range)?;
@@ -371,6 +390,23 @@ impl FoundConductance {
         Ok(ConductancePoint { pressure_pa, contact_si, gas_si })
     }
 
+    /// Conductances of spots and gas in a state, by the analogy of the spots with its stiffness.
+    fn by_analogy(
+        &self,
+        state: &GapState,
+        modulus_pa: f64,
+        rms_height_m: f64,
+    ) -> Result<(f64, f64), QuestionError> {
+        let stiffness = state.stiffness_pa_per_m.filter(|stiffness| stiffness.is_finite());
+        let (Some(stiffness), Some(mean_gap_m)) = (stiffness, state.mean_gap_m) else {
+            return Err(QuestionError::NoStiffness { pressure_pa: state.nominal_pressure_pa });
+        };
+        let relative = RelativeStiffness::new(stiffness, modulus_pa)
+            .map_err(|error| QuestionError::Value { option: "pressure_range", error })?;
+        let gas = self.gas.map(|gas| gas.conductance_w_per_m2_k(mean_gap_m, rms_height_m));
+        Ok((relative.thermal_conductance_w_per_m2_k(&self.conductivities), gas.unwrap_or(0.0)))
+    }
+
     /// Describes formulas, inputs and every caution in lines, for the comments of a file.
     #[must_use]
     pub fn description(&self, spelling: &dyn Spelling) -> Vec<String> {
@@ -379,15 +415,22 @@ impl FoundConductance {
             Flow::Heat => ("h", format!("k_s = {} W/(m K)", three_digits(mean))),
             Flow::Current => ("G", format!("k_s = 2/(rho1 + rho2) = {} S/m", three_digits(mean))),
         };
+        let analogy = |modulus_pa: f64, stiffness: &str| {
+            format!(
+                "Conductance of the spots by Barber's analogy, {symbol} = k_s K/E* (Barber 2003, Proc. R. Soc. A 459:53): \
+                 {mean}, E* = {}, and K is the stiffness of {stiffness}.",
+                pressure(modulus_pa)
+            )
+        };
         let mut lines = match &self.spots {
-            Spots::Analogy { model, modulus_pa, .. } => vec![
-                format!("{}: {}", model.full_name, model.citation),
-                format!(
-                    "Conductance of the spots by Barber's analogy, {symbol} = k_s K/E* (Barber 2003, Proc. R. Soc. A 459:53): \
-                     {mean}, E* = {}, and K is the stiffness of this model.",
-                    pressure(*modulus_pa)
-                ),
-            ],
+            Spots::Analogy { model, modulus_pa, .. } => {
+                vec![format!("{}: {}", model.full_name, model.citation), analogy(*modulus_pa, "this model")]
+            }
+            Spots::Elements { law, modulus_pa } => {
+                let mut lines = law.description(spelling);
+                lines.push(analogy(*modulus_pa, "these elements on unloading"));
+                lines
+            }
             Spots::Correlation { correlation, surface, hardness_pa, cutoff_m } => vec![format!(
                 "{}, with {mean}, sigma = {}, mean absolute slope m = {} of all waves down to {}, H = {}.",
                 formula(*correlation, symbol),
@@ -397,7 +440,9 @@ impl FoundConductance {
                 pressure(*hardness_pa)
             )],
         };
-        lines.extend(cautions(&self.notes, spelling));
+        if !matches!(self.spots, Spots::Elements { .. }) {
+            lines.extend(cautions(&self.notes, spelling));
+        }
         lines.extend(self.caution());
         if let Some(gas) = &self.gas {
             lines.push(format!(
@@ -406,9 +451,13 @@ impl FoundConductance {
                 three_digits(gas.conductivity_w_per_m_k()),
                 length(gas.parameter_m())
             ));
-            if let Spots::Analogy { law, .. } = &self.spots {
-                lines.extend(gas.caution(law.rms_height_m).map(str::to_owned));
-            }
+            let rms_height_m = match &self.spots {
+                Spots::Analogy { law, .. } => Some(law.rms_height_m),
+                Spots::Elements { law, .. } => Some(law.rms_height_m),
+                Spots::Correlation { .. } => None,
+            };
+            let caution = rms_height_m.and_then(|rms_height_m| gas.caution(rms_height_m));
+            lines.extend(caution.map(str::to_owned));
         }
         lines
     }
@@ -421,7 +470,7 @@ impl FoundConductance {
                  so that this conductance is low."
                     .to_owned(),
             ],
-            Spots::Analogy { .. } => Vec::new(),
+            Spots::Analogy { .. } | Spots::Elements { .. } => Vec::new(),
             Spots::Correlation { hardness_pa, .. } => {
                 let [least, most] = PressureRatio::FITTED;
                 let [from, to] = self.range_pa.map(|pressure_pa| pressure_pa / hardness_pa);

@@ -49,6 +49,7 @@ pub use jackson_green::{
 };
 pub use layer::{Layer, LayerCompliance};
 pub use material::MaterialPair;
+pub use monotone_cubic::MonotoneCubic;
 pub use nix_gao::NixGao;
 pub use plastic_flow::{FlowPoint, PlasticFlow};
 pub use units::{Bound, OutOfBounds as AsperityError};

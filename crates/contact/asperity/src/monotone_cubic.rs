@@ -3,7 +3,7 @@
 
 /// Monotone interpolant of monotone data, with a continuous slope.
 #[derive(Debug, Clone)]
-pub(crate) struct MonotoneCubic {
+pub struct MonotoneCubic {
     x: Vec<f64>,
     y: Vec<f64>,
     slope: Vec<f64>,
@@ -11,6 +11,7 @@ pub(crate) struct MonotoneCubic {
 
 impl MonotoneCubic {
     /// Interpolates at least three points of rising x.
+    #[must_use]
     pub fn through(x: Vec<f64>, y: Vec<f64>) -> Self {
         let steps: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let secants: Vec<f64> = y.windows(2).zip(&steps).map(|(pair, h)| (pair[1] - pair[0]) / h).collect();
@@ -22,6 +23,7 @@ impl MonotoneCubic {
     }
 
     /// Value and slope at x between the first and the last point.
+    #[must_use]
     pub fn at(&self, x: f64) -> (f64, f64) {
         let i = self.x.partition_point(|&knot| knot <= x).clamp(1, self.x.len() - 1) - 1;
         let h = self.x[i + 1] - self.x[i];

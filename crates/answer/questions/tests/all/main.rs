@@ -5,6 +5,7 @@ mod bodies;
 mod common;
 mod curves;
 mod elements;
+mod elements_laws;
 #[cfg(feature = "transport")]
 mod flow;
 mod indenters;

@@ -6,8 +6,8 @@ use interface::finite_elements::{ContactLaw, Dialect, Heading, UnitSystem};
 use persson::Band;
 use persson::EnergyFactor;
 use questions::{
-    GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, LoadInput, NamedGas,
-    PlasticCorrelation, TransportInput,
+    ElementsLawQuestion, GapModel, GasInput, LawForm, LawQuantity, LawQuestion, LawTableQuestion, LoadInput,
+    NamedGas, PlasticCorrelation, TransportInput,
 };
 use stat_contact::{Flattening, InterferenceLaw};
 use study::models::{self, ModelEntry, ModelOptions};
@@ -38,18 +38,20 @@ fn gap_model() -> impl TypedValueParser<Value = GapModelArg> {
     })
 }
 
-/// Model behind a law: that of a gap, or a correlation of conductances.
+/// Model behind a law: that of a gap, boundary elements, or a correlation of conductances.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum LawModelArg {
     Gap(&'static ModelEntry),
+    Elements,
     Correlation(PlasticCorrelation),
 }
 
 fn law_model() -> impl TypedValueParser<Value = LawModelArg> {
     let correlations = PlasticCorrelation::ALL.iter().map(|correlation| correlation.name());
-    let names = models::with_gaps().map(|entry| entry.name).chain(correlations);
+    let names = models::with_gaps().map(|entry| entry.name).chain([ELEMENTS]).chain(correlations);
     ModelName(names.collect()).try_map(|name| match name.parse() {
         Ok(correlation) => Ok(LawModelArg::Correlation(correlation)),
+        Err(_) if name == ELEMENTS => Ok(LawModelArg::Elements),
         Err(_) => entry(&name).map(LawModelArg::Gap),
     })
 }
@@ -161,7 +163,7 @@ pub(crate) struct ShearFigureArg {
 pub(crate) struct LawArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
-    /// Model behind the law: Persson's theory, or a law of asperities; for conductances also a correlation for flowed peaks
+    /// Model behind the law: Persson's theory, a law of asperities, or boundary elements, which yield; for conductances also a correlation for flowed peaks
     #[arg(long, value_parser = law_model())]
     pub model: LawModelArg,
     /// Quantity of the law: pressure over overclosure, or the conductance of heat or current over pressure
@@ -192,6 +194,8 @@ pub(crate) struct LawArgs {
     pub gas: GasArgs,
     #[command(flatten)]
     pub choices: GapChoiceArgs,
+    #[command(flatten)]
+    pub random: RandomArgs,
 }
 
 /// Conductivities and resistivities of the bodies.
@@ -257,10 +261,21 @@ impl GasArgs {
 }
 
 impl LawArgs {
+    /// The question of boundary elements, if they are the model.
+    pub fn elements(&self) -> Option<ElementsLawQuestion> {
+        let is_elements = matches!(self.model, LawModelArg::Elements);
+        is_elements.then(|| ElementsLawQuestion {
+            table: self.question(),
+            random: self.random.input(),
+            error: Some(self.error),
+        })
+    }
+
     /// The question that these options ask.
     pub fn question(&self) -> LawTableQuestion {
         let (model, correlation) = match self.model {
             LawModelArg::Gap(entry) => (Some(entry), None),
+            LawModelArg::Elements => (None, None),
             LawModelArg::Correlation(correlation) => (None, Some(correlation)),
         };
         let [from, to] = self.pressure_range;

@@ -1,7 +1,7 @@
 //! `law`: pressure against overclosure, and conductance against pressure, for finite elements.
 
-use interface::finite_elements::Heading;
-use questions::{LawAnswer, LawForm};
+use interface::finite_elements::{Dialect, Heading};
+use questions::{ElementsLawAnswer, ElementsLawQuestion, LawAnswer, LawForm, PlasticCorrelation};
 use report::provenance::provenance;
 use tables::Format;
 use units::display::pressure;
@@ -11,8 +11,15 @@ use super::{Context, say_all};
 use crate::args::LawArgs;
 use crate::failure::Failure;
 use crate::flags::{Flags, refuse_first};
+use crate::memory;
 use crate::progress::Progress;
 use crate::timings::Timings;
+
+/// The answer of a model, or of boundary elements.
+enum Answer {
+    Model(LawAnswer),
+    Elements(ElementsLawAnswer),
+}
 
 pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> {
     if context.shared.format() == Format::Json {
@@ -20,8 +27,15 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             "--format json does not affect `law`, which writes what --dialect says; leave it out",
         ));
     }
-    let question = args.question();
-    question.check()?;
+    let (question, elements) = (args.question(), args.elements());
+    elements.as_ref().map_or_else(|| question.check(), ElementsLawQuestion::check)?;
+    memory::refuse_beyond(args.random.grid)?;
+    if elements.is_none() {
+        let name = question.law.by.model.map(|entry| entry.name);
+        let name = name.or(question.correlation.map(PlasticCorrelation::name)).unwrap_or_default();
+        let reason = Remark::new(RemarkCode::NoSuchOption).with("model", name).with("models", "bem");
+        refuse_first(args.random.input().given(), reason)?;
+    }
     if let Some(correlation) = question.correlation {
         let bodies = &args.choices.material.bodies;
         let (modulus, ratio) = (bodies.youngs_modulus.is_some(), bodies.poisson_ratio.is_some());
@@ -35,11 +49,22 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     timings.lap("reading");
     let progress = Progress::counting("states");
     let mut origin = provenance(context.typed, &surface, question.law.by.sampling.sampling());
-    let text = match question.answer(&surface, &progress)? {
-        LawAnswer::Pressure(found) => {
+    let name = args.name.as_deref().unwrap_or(Heading::NAME).to_owned();
+    let answer = match &elements {
+        Some(elements) => Answer::Elements(elements.answer(&surface, &progress)?),
+        None => Answer::Model(question.answer(&surface, &progress)?),
+    };
+    let text = match answer {
+        Answer::Elements(ElementsLawAnswer::Pressure(law)) => {
+            progress.aside(|| say_all(&law.notes, &Flags));
+            origin.extend(law.description(&Flags));
+            let (sampled, mut columns) = law.sampled(args.error, args.units)?;
+            columns.retain(|_| args.dialect == Dialect::Csv);
+            args.dialect.table(&sampled, args.units, &Heading { provenance: origin, name }, &columns)?
+        }
+        Answer::Model(LawAnswer::Pressure(found)) => {
             progress.aside(|| say_all(&found.notes, &Flags));
             origin.extend(found.description(&Flags));
-            let name = args.name.as_deref().unwrap_or(Heading::NAME).to_owned();
             let mut heading = Heading { provenance: origin, name };
             match args.form.unwrap_or(LawForm::Table) {
                 LawForm::Table => {
@@ -56,7 +81,8 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
                 }
             }
         }
-        LawAnswer::Conductance(found) => {
+        Answer::Model(LawAnswer::Conductance(found))
+        | Answer::Elements(ElementsLawAnswer::Conductance(found)) => {
             progress.aside(|| say_all(&found.notes, &Flags));
             origin.extend(found.description(&Flags));
             found.sampled(args.error, &progress)?.to_text(args.dialect, args.units, &origin)?

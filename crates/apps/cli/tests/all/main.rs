@@ -7,6 +7,7 @@ mod columns;
 mod conductance;
 #[cfg(unix)]
 mod documentation;
+mod elements_law;
 mod faces;
 mod flow;
 mod gap;

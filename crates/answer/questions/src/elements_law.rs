@@ -1,0 +1,342 @@
+//! Laws by boundary elements: loads pressed in turn on random surfaces, and monotone cubics between them.
+
+use asperity::MonotoneCubic;
+use elements::{ImposedLoad, PressedLoad, PressedState, Pressing, RandomSurfaces};
+use interface::finite_elements::{Column, ContactLaw, Dialect, LawPoint, SamplingError, UnitSystem};
+use numerics::parallel::Progress;
+use serde::{Deserialize, Serialize};
+use study::gap_law::{GapError, GapState};
+use study::surface::Surface;
+use units::display::{pressure, three_digits};
+use units::{Bound, Remark, RemarkLevel, Spelling};
+
+use crate::QuestionError;
+use crate::conductance::{FoundConductance, LawQuantity, LawTableQuestion};
+use crate::elements::{RandomInput, random_surfaces, remarks_on_pressed};
+use crate::gap::{LawForm, cautions, remarks_on_gaps, states_of_elements, yielding};
+use crate::option::{first_given, not_of_model};
+
+/// Loads per decade of pressure that are pressed at first.
+const LOADS_PER_DECADE: f64 = 6.0;
+
+/// Number of loads from which no more are pressed.
+const MOST_LOADS: usize = 200;
+
+/// Share of the error that may arise between loads; the rest is left to the straight lines.
+const MOST_BETWEEN_LOADS: f64 = 0.75;
+
+/// Residual of the elements: pressures at a distance are then off by less than 5e-4, nearly all of them by less than 2e-5.
+const TOLERANCE: f64 = 1e-5;
+
+/// A law by boundary elements, which flow at the hardness where the material has one.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ElementsLawQuestion {
+    /// Quantity, pressures, bodies and spectrum, without a model and a correlation.
+    pub table: LawTableQuestion,
+    /// Random surfaces.
+    pub random: RandomInput,
+    /// Largest relative error on straight lines between rows; [`ContactLaw::TOLERANCE`] if absent.
+    pub error: Option<f64>,
+}
+
+/// Answer to an [`ElementsLawQuestion`].
+#[derive(Debug)]
+pub enum ElementsLawAnswer {
+    /// The mechanical law.
+    Pressure(Box<ElementsLaw>),
+    /// Conductance against pressure.
+    Conductance(FoundConductance),
+}
+
+/// Mean of random surfaces under loads between two nominal pressures.
+#[derive(Debug, Clone)]
+pub struct ElementsLaw {
+    /// The least and the largest nominal pressure \[Pa\].
+    pub range_pa: [f64; 2],
+    /// Rms height of the surfaces \[m\].
+    pub rms_height_m: f64,
+    /// Notes for the reader of the law.
+    pub notes: Vec<Remark>,
+    hardness_pa: Option<f64>,
+    /// States by rising pressure, from the load at which laws are cut off.
+    loads: Vec<PressedLoad>,
+    /// Distance of the mean planes \[m\] over ln p: of the mean, and of each surface.
+    distance_m: MonotoneCubic,
+    distances_m: Vec<MonotoneCubic>,
+    mean_gap_m: MonotoneCubic,
+    log_area: MonotoneCubic,
+    /// Logarithm of the stiffness on unloading; `None` where it is not asked for, or no gap is left.
+    log_stiffness: Option<MonotoneCubic>,
+    /// Relative errors between two loads: of the pressure at a distance, and of the stiffness.
+    error: f64,
+    pub(crate) stiffness_error: f64,
+}
+
+impl ElementsLawQuestion {
+    /// Finds options without effect, and input that contradicts itself or is missing.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with the first of them.
+    pub fn check(&self) -> Result<(), QuestionError> {
+        let is_exponential = self.table.form == Some(LawForm::Exponential);
+        first_given([("form", is_exponential)], not_of_model("bem").with("models", "persson"))?;
+        self.table.check()?;
+        self.check_error(ContactLaw::TOLERANCES)?;
+        let [from_pa, to_pa] = self.table.law.range_pa(&self.table.law.by.material.material()?)?;
+        if from_pa < to_pa { Ok(()) } else { Err(SamplingError::EmptyRange { from_pa, to_pa }.into()) }
+    }
+
+    fn check_error(&self, bound: Bound) -> Result<f64, QuestionError> {
+        let tolerance = self.error.unwrap_or(ContactLaw::TOLERANCE);
+        let checked = bound.check("error of the law", tolerance).map(|_| tolerance);
+        checked.map_err(|error| QuestionError::Value { option: "error", error })
+    }
+
+    /// Presses the surfaces, under more loads where the error needs them; `progress` advances once per surface and load.
+    ///
+    /// # Errors
+    /// [`QuestionError`].
+    pub fn answer(
+        &self,
+        surface: &Surface,
+        progress: &dyn Progress,
+    ) -> Result<ElementsLawAnswer, QuestionError> {
+        self.check()?;
+        let by = &self.table.law.by;
+        let material = by.material.material()?;
+        let range_pa = self.table.law.range_pa(&material)?;
+        let is_pressure = self.table.quantity == LawQuantity::Pressure;
+        // Cards of the mechanical law have no room for the stiffness.
+        let stiffness = !is_pressure || self.table.dialect.is_none_or(|dialect| dialect == Dialect::Csv);
+        let pressing = Pressing { tolerance: TOLERANCE, stiffness, ..yielding(&material, range_pa.to_vec()) };
+        let (surfaces, made) = random_surfaces(surface, &self.random, &pressing)?;
+        let press = |pressures_pa: Vec<f64>| {
+            let loads = pressures_pa.into_iter().map(ImposedLoad::PressurePa).collect();
+            elements::press_in_turn(&surfaces, &Pressing { loads, ..pressing.clone() }, progress)
+        };
+        // Laws are cut off at 1/e of the least pressure.
+        let [from, to] = [range_pa[0].ln() - 1.0, range_pa[1].ln()];
+        let half = (0.5 * LOADS_PER_DECADE * (to - from) / std::f64::consts::LN_10).ceil() as usize;
+        let steps = 2 * half.max(2);
+        let inner = (0..steps).map(|at| (from + (to - from) * at as f64 / steps as f64).exp());
+        let mut loads = press(inner.chain([range_pa[1]]).collect())?;
+        let tolerance = self.check_error(ContactLaw::TOLERANCES)?;
+        let mut law = loop {
+            let law = ElementsLaw::through(&surfaces, range_pa, pressing.saturation_pa, loads)?;
+            let error = if is_pressure { law.error } else { law.stiffness_error };
+            if error <= MOST_BETWEEN_LOADS * tolerance {
+                break law;
+            }
+            if law.loads.len() >= MOST_LOADS {
+                self.check_error(Bound::AtLeast(error / MOST_BETWEEN_LOADS))?;
+            }
+            let between = law.loads.windows(2).map(|pair| {
+                let [low_pa, high_pa] = [0, 1].map(|at| pair[at].nominal_pressure_pa);
+                (low_pa * high_pa).sqrt()
+            });
+            let finer = press(between.collect())?;
+            loads = [law.loads, finer].concat();
+            loads.sort_by(|one, other| one.nominal_pressure_pa.total_cmp(&other.nominal_pressure_pa));
+        };
+        law.notes = by.notes(&material, surface);
+        law.notes.extend(made.into_iter().chain(remarks_on_pressed(&law.loads)));
+        law.notes.extend(remarks_on_gaps(&states_of_elements(&law.loads), Some(law.rms_height_m)));
+        Ok(if is_pressure {
+            ElementsLawAnswer::Pressure(Box::new(law))
+        } else {
+            ElementsLawAnswer::Conductance(self.table.conductance_of_elements(law)?)
+        })
+    }
+}
+
+impl ElementsLaw {
+    /// The law through states by rising pressure, an odd number of them.
+    fn through(
+        surfaces: &RandomSurfaces,
+        range_pa: [f64; 2],
+        hardness_pa: Option<f64>,
+        loads: Vec<PressedLoad>,
+    ) -> Result<Self, QuestionError> {
+        let logs: Vec<f64> = loads.iter().map(|load| load.nominal_pressure_pa.ln()).collect();
+        let distances_m: Vec<f64> = loads.iter().map(mean_distance_m).collect();
+        if let Some(at) = distances_m.windows(2).position(|pair| pair[0] <= pair[1]) {
+            let [from_pa, to_pa] = [at, at + 1].map(|at| loads[at].nominal_pressure_pa);
+            return Err(SamplingError::NotClosing { from_pa, to_pa }.into());
+        }
+        let stiffnesses = loads.iter().map(|load| load.mean().stiffness_pa_per_m.map(f64::ln));
+        let stiffnesses: Option<Vec<f64>> = stiffnesses.collect();
+        let cubic = |values: Vec<f64>| MonotoneCubic::through(logs.clone(), values);
+        let of_loads = |value: &dyn Fn(&PressedLoad) -> f64| cubic(loads.iter().map(value).collect());
+        let of_surface = |surface: usize| of_loads(&|load| distance_m(&load.states[surface]));
+        Ok(Self {
+            range_pa,
+            rms_height_m: surfaces.band.mean_square_height_m2().sqrt(),
+            notes: Vec::new(),
+            hardness_pa,
+            distances_m: (0..surfaces.realisations).map(of_surface).collect(),
+            mean_gap_m: of_loads(&|load| load.mean().mean_gap_m),
+            log_area: of_loads(&|load| load.mean().best_area_fraction().ln()),
+            error: half_of_left_out(&logs, &distances_m, |off_m, slope_m| (off_m / slope_m).abs()),
+            stiffness_error: stiffnesses
+                .as_ref()
+                .map_or(0.0, |values| half_of_left_out(&logs, values, |off, _| off.abs())),
+            distance_m: cubic(distances_m),
+            log_stiffness: stiffnesses.map(cubic),
+            loads,
+        })
+    }
+
+    /// State under a nominal pressure within the range \[Pa\], with the stiffness on unloading.
+    #[must_use]
+    pub fn at(&self, pressure_pa: f64) -> GapState {
+        let log = pressure_pa.ln();
+        GapState {
+            nominal_pressure_pa: pressure_pa,
+            area_fraction: self.log_area.at(log).0.exp(),
+            mean_gap_m: Some(self.mean_gap_m.at(log).0),
+            stiffness_pa_per_m: self.log_stiffness.as_ref().map(|curve| curve.at(log).0.exp()),
+        }
+    }
+
+    /// Slope -dp/dd of the law \[Pa/m\] at a nominal pressure within the range \[Pa\], with d the distance of the mean planes.
+    #[must_use]
+    pub fn loading_stiffness_pa_per_m(&self, pressure_pa: f64) -> f64 {
+        -pressure_pa / self.distance_m.at(pressure_pa.ln()).1
+    }
+
+    /// Samples the law between its pressures, straight within the relative `tolerance` of the question, with the columns that plain
+    /// tables have besides.
+    ///
+    /// # Errors
+    /// [`QuestionError::Sampling`] for a tolerance that the loads do not allow.
+    pub fn sampled(
+        &self,
+        tolerance: f64,
+        units: UnitSystem,
+    ) -> Result<(ContactLaw, Vec<Column>), QuestionError> {
+        let at = |pressure_pa: f64| {
+            let mean_gap_m = self.distance_m.at(pressure_pa.ln()).0;
+            let area_fraction = self.at(pressure_pa).area_fraction;
+            Ok::<_, GapError>(Some(LawPoint { pressure_pa, mean_gap_m, area_fraction }))
+        };
+        let mut law = ContactLaw::sample(self.range_pa, tolerance - self.error, at)?;
+        law.tolerance = tolerance;
+        law.interpolation_error += self.error;
+        let (pa, m) = (units.pressure_symbol(), units.length_symbol());
+        let stiffness = |pa_per_m: f64| units.pressure(pa_per_m) / units.length(1.0);
+        let column = |name: String, value: &dyn Fn(f64) -> Option<f64>| Column {
+            name,
+            values: law.points.iter().map(|point| value(point.pressure_pa)).collect(),
+        };
+        let columns = vec![
+            column(format!("mean_gap_{m}"), &|pa| self.at(pa).mean_gap_m.map(|gap_m| units.length(gap_m))),
+            column(format!("loading_stiffness_{pa}_per_{m}"), &|pa| {
+                Some(stiffness(self.loading_stiffness_pa_per_m(pa)))
+            }),
+            column(format!("unloading_stiffness_{pa}_per_{m}"), &|pa| {
+                self.at(pa).stiffness_pa_per_m.map(stiffness)
+            }),
+            column(format!("overclosure_low_{m}"), &|pa| Some(units.length(self.overclosures_m(pa)?[0]))),
+            column(format!("overclosure_high_{m}"), &|pa| Some(units.length(self.overclosures_m(pa)?[1]))),
+        ];
+        Ok((law, columns))
+    }
+
+    /// Least and largest overclosure \[m\] of the single surfaces, each counted from where its own law is cut off; `None` of one surface.
+    fn overclosures_m(&self, pressure_pa: f64) -> Option<[f64; 2]> {
+        let closed_m = self.distances_m.iter().map(|curve| self.overclosure_m(curve, pressure_pa));
+        (self.distances_m.len() > 1).then(|| ends(closed_m))
+    }
+
+    fn overclosure_m(&self, curve: &MonotoneCubic, pressure_pa: f64) -> f64 {
+        curve.at(self.range_pa[0].ln() - 1.0).0 - curve.at(pressure_pa.ln()).0
+    }
+
+    /// Describes elements, yielding, scatter and every note in lines, for the comments of a file.
+    #[must_use]
+    pub fn description(&self, spelling: &dyn Spelling) -> Vec<String> {
+        let at_ends = |value: &dyn Fn(f64, &PressedLoad) -> String| {
+            let of_end = |pressure_pa: f64| {
+                // Rounding of logarithms moves the pressed loads.
+                let above = self.loads.iter().find(|load| load.nominal_pressure_pa > 0.999_999 * pressure_pa);
+                above.map(|load| format!("{} at {}", value(pressure_pa, load), pressure(pressure_pa)))
+            };
+            self.range_pa.into_iter().filter_map(of_end).collect::<Vec<_>>().join(", ")
+        };
+        let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
+        let range = |[least, largest]: [f64; 2], mean: f64| {
+            [least, largest].map(|end| three_digits(end / mean)).join(" to ")
+        };
+        let closed = |pressure_pa: f64, _: &PressedLoad| {
+            let mean_m = self.overclosure_m(&self.distance_m, pressure_pa);
+            self.overclosures_m(pressure_pa)
+                .map_or_else(|| "unknown".to_owned(), |ends_m| range(ends_m, mean_m))
+        };
+        let stiff = |_: f64, load: &PressedLoad| {
+            let mean = load.mean().stiffness_pa_per_m.unwrap_or_default();
+            range(ends(load.states.iter().filter_map(|state| state.stiffness_pa_per_m)), mean)
+        };
+        let flows = |_: f64, load: &PressedLoad| {
+            percent(load.mean().plastic_area_fraction / load.mean().area_fraction)
+        };
+        let mut lines = vec![
+            format!(
+                "Boundary elements: the mean of random surfaces under {} loads, and monotone cubics over ln p between them, within {} of \
+                 the pressure as loads left out show.",
+                self.loads.len(),
+                percent(self.error)
+            ),
+            self.hardness_pa.map_or_else(
+                || "They are elastic: no hardness is given.".to_owned(),
+                |hardness_pa| {
+                    let hardness = pressure(hardness_pa);
+                    format!("They flow at the hardness {hardness}, of the contact {}.", at_ends(&flows))
+                },
+            ),
+            STIFFNESSES.to_owned(),
+            format!(
+                "Overclosures of the single surfaces, each from its own cut, over those of their mean: {}.",
+                at_ends(&closed)
+            ),
+        ];
+        if self.log_stiffness.is_some() {
+            let error = percent(self.stiffness_error);
+            let stiff = at_ends(&stiff);
+            lines.push(format!(
+                "Their stiffness on unloading over its mean: {stiff}; between loads within {error}."
+            ));
+        }
+        let notes = self.notes.iter().filter(|note| note.level != RemarkLevel::Caution);
+        lines.extend(notes.map(|note| format!("Note: {}.", note.words(spelling))));
+        lines.extend(cautions(&self.notes, spelling));
+        lines
+    }
+}
+
+const STIFFNESSES: &str = "The slope of the law is the stiffness on loading. Contact that has flowed is stiffer on unloading, which the law \
+                           leaves out and which heat and current follow.";
+
+fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], value| {
+        [least.min(value), largest.max(value)]
+    })
+}
+
+/// Distance of the mean planes of a surface \[m\].
+fn distance_m(state: &PressedState) -> f64 {
+    state.numbers.mean_gap_m - state.numbers.mean_plastic_depth_m
+}
+
+fn mean_distance_m(load: &PressedLoad) -> f64 {
+    load.states.iter().map(distance_m).sum::<f64>() / load.states.len() as f64
+}
+
+/// Estimates the error between values: half of the largest one at values that are left out, as at a kink, where smooth curves have an
+/// eighth. `error` takes a difference and the slope.
+fn half_of_left_out(x: &[f64], values: &[f64], error: impl Fn(f64, f64) -> f64) -> f64 {
+    let every_second = |values: &[f64]| values.iter().step_by(2).copied().collect();
+    let curve = MonotoneCubic::through(every_second(x), every_second(values));
+    let left_out = x.iter().zip(values).skip(1).step_by(2).map(|(x, value)| (curve.at(*x), value));
+    0.5 * left_out.map(|((found, slope), value)| error(found - value, slope)).fold(0.0, f64::max)
+}
