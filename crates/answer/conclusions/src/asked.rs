@@ -1,5 +1,5 @@
-//! Answers to what a scene asks of its interface besides the area and the seal: one value with one range for each, in the state that
-//! the peaks of the roughness are in.
+//! Answers to what a scene asks of its interface besides the area and the seal: one value with one range for each, and the state of the
+//! peaks of the roughness.
 
 use interface::conductance::MOST_PLASTIC_SHARE;
 use interface::flatness::LIMITS_WITHIN;
@@ -18,15 +18,8 @@ const FLOWED_SHARE: f64 = 0.9;
 /// The factor, either way, within which gaps of Persson's theory hold boundary elements of nine in ten spectra.
 const GAP_WITHIN: f64 = 1.15;
 
-/// The factor, either way, within which gas conducts in a gap that is known.
-const GAS_WITHIN: f64 = 1.25;
-
 /// The factor, either way, within which a measured map that is pressed on its own points has the gap and the stiffness of the surface.
 const MAP_WITHIN: f64 = 1.05;
-
-/// The factor, either way, within which a correlation for flowed peaks is taken to hold: measured conductances of conforming faces
-/// scatter by as much about it where the hardness is that of a large indentation.
-const CORRELATION_WITHIN: f64 = 1.73;
 
 /// Returns the factor, either way, within which both limits of flatness hold: [`LIMITS_WITHIN`], or the most by which either changes the
 /// value of flat faces, if that is less.
@@ -42,10 +35,12 @@ pub fn flatness_within(flat: f64, limits: FlatnessRange) -> f64 {
 pub enum PeakState {
     /// Less than 3 % of the contact has flowed.
     Elastic,
-    /// Part of it has, or how much depends on a hardness that is not known.
+    /// Part of it has.
     Partly,
     /// More than 90 % has.
     Flowed,
+    /// A part that depends on a hardness of small scales that is not known.
+    Unknown,
 }
 
 /// A quantity that a scene asks for, under a load.
@@ -76,13 +71,6 @@ struct Ranged {
     flat: Option<f64>,
 }
 
-/// A quantity by the theory of elastic peaks and by that of flowed ones.
-struct ByState {
-    elastic: Quantity,
-    flowed: Option<Quantity>,
-    elastic_within: f64,
-}
-
 /// The questions of a scene under one of its loads, and what answers them.
 pub(crate) struct Questions<'a> {
     pub states: &'a InterfaceStates<'a>,
@@ -98,7 +86,7 @@ impl PeakState {
         let share = of_maps.or_else(|| states.plastic_share(load)).unwrap_or(0.0);
         match area.source {
             _ if share <= MOST_PLASTIC_SHARE => PeakState::Elastic,
-            Source::Elements(Reference::Growing | Reference::Elastic) => PeakState::Partly,
+            Source::Elements(Reference::Growing | Reference::Elastic) => PeakState::Unknown,
             _ if share <= FLOWED_SHARE => PeakState::Partly,
             _ => PeakState::Flowed,
         }
@@ -111,28 +99,25 @@ impl Questions<'_> {
         let request = self.states.request;
         let mut found = Vec::new();
         if request.asks.gap {
-            let gap = ByState {
-                elastic: Quantity::MeanGap,
-                flowed: Some(Quantity::FlowedGap),
-                elastic_within: GAP_WITHIN,
-            };
-            found.extend(self.by_state(&gap));
-            let stiffness = self.within(Quantity::Stiffness, STIFFNESS_WITHIN);
-            found.extend(stiffness.map(|stiffness| stiffness.answers(Quantity::Stiffness, None)));
+            found.extend(self.in_state(Quantity::MeanGap, GAP_WITHIN));
+            let stiffness = self.in_state(Quantity::Stiffness, STIFFNESS_WITHIN);
+            found.extend(stiffness.map(|stiffness| AskedValue { state: None, ..stiffness }));
         }
         if request.asks.heat {
-            let heat = self.by_state(&ByState::heat(request.conductivities.is_some(), request.gas.is_some()));
-            let of_area = Quantity::ThermalResistance;
-            let conducts = request.conductivities.is_some();
-            found.extend(heat.map(|heat| if conducts { self.of_nominal_area(heat, of_area) } else { heat }));
+            let (quantity, conducts) = match (request.conductivities.is_some(), request.gas.is_some()) {
+                (true, true) => (Quantity::ThermalConductanceWithGas, true),
+                (true, false) => (Quantity::ThermalConductance, true),
+                (false, _) => (Quantity::GasConductance, false),
+            };
+            let heat = self.in_state(quantity, STIFFNESS_WITHIN);
+            let of_area = |heat| match conducts {
+                true => self.of_nominal_area(heat, Quantity::ThermalResistance),
+                false => heat,
+            };
+            found.extend(heat.map(of_area));
         }
         if request.asks.current {
-            let current = ByState {
-                elastic: Quantity::ElectricalConductance,
-                flowed: Some(Quantity::FlowedElectricalConductance),
-                elastic_within: STIFFNESS_WITHIN,
-            };
-            let current = self.by_state(&current);
+            let current = self.in_state(Quantity::ElectricalConductance, STIFFNESS_WITHIN);
             found
                 .extend(current.map(|current| self.of_nominal_area(current, Quantity::ElectricalResistance)));
         }
@@ -140,22 +125,23 @@ impl Questions<'_> {
         found
     }
 
-    /// A value with the range of the state that the peaks are in; of partly flowed ones, from elastic to flowed.
-    fn by_state(&self, quantities: &ByState) -> Option<AskedValue> {
-        let elastic = || self.within(quantities.elastic, quantities.elastic_within);
-        let flowed = || self.within(quantities.flowed?, self.correlation_within(quantities.flowed?));
+    /// A value with the state of the peaks and its range, which spans that of elastic peaks where it is not known how much flows.
+    fn in_state(&self, quantity: Quantity, factor: f64) -> Option<AskedValue> {
+        let found = self.within(quantity, factor)?;
         let state = PeakState::new(self.states, self.load, self.area);
-        let (quantity, state, found) = match (state, elastic(), flowed()) {
-            (PeakState::Flowed, _, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
-            (PeakState::Partly, Some(elastic), Some(Ranged { value: flowed, .. })) => {
-                let (low, high) = (elastic.low.min(flowed), elastic.high.max(flowed));
-                (quantities.elastic, PeakState::Partly, Ranged { low, high, ..elastic })
-            }
-            (state, elastic, None) => (quantities.elastic, state, elastic?),
-            (_, None, Some(flowed)) => (quantities.flowed?, PeakState::Flowed, flowed),
-            (PeakState::Elastic, Some(elastic), _) => (quantities.elastic, PeakState::Elastic, elastic),
+        let of_elastic = || {
+            let elastic = self.states.with_hardness(None).value(self.slot(quantity)).ok().flatten()?;
+            Some(elastic / self.by_theory(quantity)?)
         };
-        Some(found.answers(quantity, Some(state)))
+        let elastic = (state == PeakState::Unknown).then(of_elastic).flatten().unwrap_or(1.0);
+        Some(AskedValue {
+            quantity,
+            value: Some(found.value),
+            low: found.low * elastic.min(1.0),
+            high: found.high * elastic.max(1.0),
+            state: Some(state),
+            flat: found.flat,
+        })
     }
 
     /// A value with its range: the interval of uncertain inputs and the factor of the theory, whose logarithms add as squares, about
@@ -194,32 +180,20 @@ impl Questions<'_> {
         })
     }
 
-    /// The factor within which a correlation for flowed peaks holds; the gas beside its spots is known better.
-    fn correlation_within(&self, flowed: Quantity) -> f64 {
-        let by_spots = match flowed {
-            Quantity::FlowedConductanceWithGas => {
-                self.by_theory(Quantity::YovanovichConductance).zip(self.by_theory(flowed))
-            }
-            _ => None,
-        };
-        let share = by_spots.map_or(1.0, |(spots, all)| spots / all);
-        share * CORRELATION_WITHIN + (1.0 - share) * GAS_WITHIN
-    }
-
-    /// A gap, or what follows the stiffness, of the measured map over that of the theory. Gas has the gap of the map.
+    /// A gap, or what follows the stiffness, of the measured map over that of the theory. Gas has the gap of the map. A map that was
+    /// pressed without yielding says nothing of peaks that flow.
     fn of_map(&self, quantity: Quantity) -> Option<f64> {
-        let maps = self.area.maps?;
+        let flows = self.states.plastic_share(self.load).is_some_and(|share| share > MOST_PLASTIC_SHARE);
+        let maps = self.area.maps.filter(|maps| maps.plastic_share.is_some() || !flows)?;
         let of_gas = || maps.mean_gap_m.and_then(|gap_m| self.states.gas_over(gap_m));
-        let beside_gas =
-            |spots: Quantity| Some(self.of_map(spots).unwrap_or(1.0) * self.by_theory(spots)? + of_gas()?);
+        let beside_gas = || {
+            let spots = Quantity::ThermalConductance;
+            Some(self.of_map(spots).unwrap_or(1.0) * self.by_theory(spots)? + of_gas()?)
+        };
         let (of_map, theory) = match quantity {
             Quantity::GasConductance => (of_gas(), quantity),
-            Quantity::ThermalConductanceWithGas => (beside_gas(Quantity::ThermalConductance), quantity),
-            Quantity::FlowedConductanceWithGas if maps.plastic_share.is_some() => {
-                (beside_gas(Quantity::YovanovichConductance), quantity)
-            }
+            Quantity::ThermalConductanceWithGas => (beside_gas(), quantity),
             Quantity::MeanGap => (maps.mean_gap_m, quantity),
-            Quantity::FlowedGap => (maps.mean_gap_m.filter(|_| maps.plastic_share.is_some()), quantity),
             _ if quantity.follows_stiffness() => (maps.stiffness_pa_per_m, Quantity::Stiffness),
             _ => (None, quantity),
         };
@@ -264,24 +238,5 @@ impl Questions<'_> {
             state: None,
             flat: None,
         })
-    }
-}
-
-impl Ranged {
-    fn answers(self, quantity: Quantity, state: Option<PeakState>) -> AskedValue {
-        let Ranged { value, low, high, flat } = self;
-        AskedValue { quantity, value: Some(value), low, high, state, flat }
-    }
-}
-
-impl ByState {
-    /// Heat through spots, where both bodies conduct, and through gas, where there is some.
-    fn heat(conducts: bool, has_gas: bool) -> Self {
-        let (elastic, flowed) = match (conducts, has_gas) {
-            (true, true) => (Quantity::ThermalConductanceWithGas, Some(Quantity::FlowedConductanceWithGas)),
-            (true, false) => (Quantity::ThermalConductance, Some(Quantity::YovanovichConductance)),
-            (false, _) => (Quantity::GasConductance, None),
-        };
-        ByState { elastic, flowed, elastic_within: STIFFNESS_WITHIN }
     }
 }

@@ -174,7 +174,7 @@ struct Resolved {
 
 /// Refuses loads that the hardness of Persson's theory cannot carry; if it carries the largest, it carries all.
 fn check_loads(surface: &PerssonSurface, needs: &Needs) -> Result<(), QuestionError> {
-    let PerssonSurface { model, roughness, separation } = surface;
+    let PerssonSurface { model, roughness, separation, .. } = surface;
     let at = |pressure: NominalPressure| model.at_last(roughness, separation, pressure.pa());
     let largest = needs.pressures().max_by(|a, b| a.pa().total_cmp(&b.pa()));
     if largest.is_some_and(|largest| at(largest).is_err()) {

@@ -299,7 +299,7 @@ impl GapQuestion {
         notes.extend(self.by.doubts(&material, areas, Some("bem")));
         let rms_height_m = law.light_loads().is_none().then_some(law.rms_height_m);
         notes.extend(remarks_on_gaps(&states, rms_height_m));
-        let table = result_tables::gaps(&states, law.light_loads().as_ref());
+        let table = result_tables::gaps(&states, law.light_loads().filter(|_| !law.yields()).as_ref());
         Ok(Answer { table, notes, figure: None })
     }
 
@@ -465,6 +465,7 @@ pub(crate) fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
             nominal_pressure_pa: load.nominal_pressure_pa,
             area_fraction: mean.best_area_fraction(),
             mean_gap_m: Some(mean.mean_gap_m),
+            mean_plane_distance_m: Some(mean.mean_gap_m - mean.mean_plastic_depth_m),
             stiffness_pa_per_m: mean.stiffness_pa_per_m,
         }
     };
@@ -481,6 +482,7 @@ mod tests {
             nominal_pressure_pa: 1e6,
             area_fraction: 0.1,
             mean_gap_m,
+            mean_plane_distance_m: mean_gap_m,
             stiffness_pa_per_m: None,
         };
         let states = [state(Some(4e-8)), state(Some(1e-8)), state(Some(-1e-9)), state(None)];

@@ -10,6 +10,7 @@ use persson::Roughness;
 use persson::separation::{LightLoads, SeparationLaw};
 use spectrum::Normalisation;
 
+use crate::models::persson::PerssonSurface;
 use crate::models::{self, CurveModel, LoadedSurface};
 pub use crate::plan::gap::{GapChoices, GapError, GapState};
 use crate::plan::{Plan, PreparedSpectrum, Results};
@@ -60,16 +61,22 @@ impl GapLaw {
         self.roughness().map(|_| self.band)
     }
 
-    /// The law of light loads, where the model is Persson's theory.
+    /// Returns true if peaks flow at a constant hardness, so that the law of light loads holds at none.
+    #[must_use]
+    pub fn yields(&self) -> bool {
+        self.surface.persson().is_some_and(PerssonSurface::yields)
+    }
+
+    /// The law of light loads of elastic peaks, where the model is Persson's theory.
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {
         self.separation().and_then(SeparationLaw::light_loads)
     }
 
-    /// The pressure \[Pa\] up to which that law gives pressures within a share of those of the theory.
+    /// The pressure \[Pa\] up to which that law gives pressures within a share of those of the theory; `None` where peaks flow.
     #[must_use]
     pub fn light_load_limit_pa(&self, share: f64) -> Option<f64> {
-        self.separation().and_then(|separation| separation.light_load_limit_pa(share))
+        self.separation().filter(|_| !self.yields()).and_then(|law| law.light_load_limit_pa(share))
     }
 
     /// The law between two pressures \[Pa\] by points, straight within a relative `tolerance` of the pressure. `progress`
@@ -88,8 +95,8 @@ impl GapLaw {
                 return Err(GapError::Cancelled);
             }
             progress.advance(1);
-            let GapState { area_fraction, mean_gap_m, .. } = self.at(pressure_pa)?;
-            Ok(mean_gap_m.map(|mean_gap_m| LawPoint { pressure_pa, mean_gap_m, area_fraction }))
+            let GapState { area_fraction, mean_plane_distance_m, .. } = self.at(pressure_pa)?;
+            Ok(mean_plane_distance_m.map(|mean_gap_m| LawPoint { pressure_pa, mean_gap_m, area_fraction }))
         })
     }
 
@@ -169,7 +176,7 @@ mod tests {
     #[test]
     fn the_stiffness_of_every_model_is_what_pressures_of_neighbouring_gaps_differ_by() {
         let psd = spectrum();
-        // At this hardness more than a few per cent of the contact flow, and there is no gap then.
+        // Where peaks flow the stiffness is that of unloading, and the slope that of loading.
         let has_gaps = |name: &str| name != "persson-plastic";
         let entries = MODELS.iter().filter(|entry| entry.framework.has_gaps());
         for entry in entries.filter(|entry| has_gaps(entry.name)) {
@@ -235,8 +242,20 @@ mod tests {
         let single = ProfilePsd::new(vec![1e-6], vec![1e-22]).unwrap();
         assert_eq!(refused("hertz", &single), GapError::NoRoughness);
         assert_eq!(refused("persson", &single), GapError::NoRoughness);
-        // Where asperities flow, the elastic gap says nothing.
-        let flows = law_of("persson-plastic", &spectrum()).unwrap().at(25e9).unwrap();
-        assert_eq!((flows.mean_gap_m, flows.stiffness_pa_per_m), (None, None));
+        // Where everything touches and flows, no gap is left.
+        let law = law_of("persson-plastic", &spectrum()).unwrap();
+        let flows = law.at(30e9).unwrap();
+        assert_eq!((flows.mean_gap_m, flows.stiffness_pa_per_m, flows.area_fraction), (None, None, 1.0));
+        assert_eq!((law.yields(), law.exponential(0.01)), (true, None));
+    }
+
+    #[test]
+    fn peaks_that_flow_are_nearer_and_stiffer_on_unloading_and_pass_each_other() {
+        let [elastic, plastic] =
+            ["persson", "persson-plastic"].map(|name| law_of(name, &spectrum()).unwrap().at(3e9).unwrap());
+        let gap_m = |state: GapState| state.mean_gap_m.unwrap();
+        assert!(gap_m(plastic) < gap_m(elastic) && plastic.stiffness_pa_per_m > elastic.stiffness_pa_per_m);
+        assert!(plastic.mean_plane_distance_m < plastic.mean_gap_m);
+        assert_eq!(elastic.mean_plane_distance_m, elastic.mean_gap_m);
     }
 }

@@ -72,6 +72,7 @@ pub fn gaps(states: &[GapState], light: Option<&LightLoads>) -> Table {
         .with_numbers("nominal_pressure_pa", column(|state| Some(state.nominal_pressure_pa)))
         .with_numbers("area_fraction", column(|state| Some(state.area_fraction)))
         .with_numbers("mean_gap_m", column(|state| state.mean_gap_m))
+        .with_numbers("mean_plane_distance_m", column(|state| state.mean_plane_distance_m))
         .with_numbers("stiffness_pa_per_m", column(|state| state.stiffness_pa_per_m))
         .with_numbers("u0_m", of_light(|light| light.decay_length_m))
         .with_numbers("p00_pa", of_light(|light| light.reference_pressure_pa))

@@ -8,6 +8,7 @@
 //!   [`hardness_laws`]: the laws that there are.
 //! * [`corrections`]: forms fitted to simulations.
 //! * [`separation`]: mean gap and stiffness, by an [`EnergyFactor`].
+//! * [`yielding`]: mean gap and stiffness where peaks have flowed.
 //! * [`sealing`]: open channels through the contact, and their narrowest places.
 //! * [`GapDistribution`]: shares of the nominal area by gap, and the flow through them by an effective medium; [`SealFlow`]: that flow under any load.
 //! * [`PerssonModel`]: all of this along a spectrum, one pass per load.
@@ -20,6 +21,8 @@ mod contact_energy;
 pub mod corrections;
 pub mod elastic;
 mod energy;
+mod excursion;
+mod flowed_surface;
 mod gap_distribution;
 pub mod growing_hardness;
 pub mod hardness_laws;
@@ -32,6 +35,7 @@ pub mod sealing;
 pub mod separation;
 mod stress_profile;
 mod stretch;
+pub mod yielding;
 
 pub use areas::ContactAreas;
 pub use band::Band;

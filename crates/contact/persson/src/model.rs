@@ -119,6 +119,18 @@ impl PerssonModel {
         }
     }
 
+    /// Hardness \[Pa\] of a surface that yields, if it does not grow.
+    #[must_use]
+    pub fn constant_hardness_pa(&self) -> Option<f64> {
+        match self {
+            PerssonModel::ElasticPlastic { hardness, .. } => match *hardness.growth() {
+                HardnessGrowth::Constant { hardness_pa } => Some(hardness_pa),
+                _ => None,
+            },
+            PerssonModel::Elastic { .. } => None,
+        }
+    }
+
     /// Returns the shares of the nominal area at each cutoff of a roughness, under a nominal pressure p > 0 \[Pa\].
     ///
     /// # Errors

@@ -23,6 +23,7 @@ use numerics::{GaussLegendre, zero_in_bracket};
 
 use crate::contact_energy::ContactEnergy;
 use crate::energy::EnergyFactor;
+use crate::flowed_surface::Wave;
 use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
 
@@ -298,6 +299,40 @@ impl SeparationLaw {
         SeparationLaw { stretches: rest.map(Some).collect(), tails: Vec::new(), ..self.clone() }
     }
 
+    /// Returns the waves in bands, so many per decade, from long to short; none on a layer.
+    pub(crate) fn waves(&self, per_decade: f64) -> Vec<Wave> {
+        let stretches = self.stretches.iter().flatten().filter(|_| self.layer.is_none());
+        let first_rad_per_m = stretches.clone().next().map_or(1.0, |first| first.start_rad_per_m);
+        let per_square_pa2 = (2.0 / self.contact_modulus_pa).powi(2);
+        let mut bands: Vec<(usize, Wave)> = Vec::new();
+        for stretch in stretches {
+            let decades = (stretch.end_rad_per_m / stretch.start_rad_per_m).log10();
+            let count = (per_decade * decades).ceil().max(1.0);
+            let wavevector = |at: u32| stretch.start_rad_per_m * 10f64.powf(decades * f64::from(at) / count);
+            for at in 0..count as u32 {
+                let ends = [at, at + 1].map(wavevector);
+                let q = (ends[0] * ends[1]).sqrt();
+                let [below, above] = ends.map(|q| stretch.variance_pa2(q));
+                let mean_square_height_m2 = per_square_pa2 * (above - below) / (q * q);
+                let band = (per_decade * (q / first_rad_per_m).log10()) as usize;
+                match bands.last_mut() {
+                    Some((last, wave)) if *last == band => {
+                        let sum_m2 = wave.mean_square_height_m2 + mean_square_height_m2;
+                        let share = mean_square_height_m2 / sum_m2;
+                        wave.wavevector_rad_per_m *= (q / wave.wavevector_rad_per_m).powf(share);
+                        wave.mean_square_height_m2 = sum_m2;
+                    }
+                    _ => bands.push((band, Wave { wavevector_rad_per_m: q, mean_square_height_m2 })),
+                }
+            }
+        }
+        // Within a band heights count with its middle; together they are those of the spectrum.
+        let sum_m2: f64 = bands.iter().map(|(_, wave)| wave.mean_square_height_m2).sum();
+        let factor = self.tails().last().map_or(1.0, |all| all.mean_square_height_m2 / sum_m2);
+        bands.iter_mut().for_each(|(_, wave)| wave.mean_square_height_m2 *= factor);
+        bands.into_iter().map(|(_, wave)| wave).filter(|wave| wave.mean_square_height_m2 > 0.0).collect()
+    }
+
     /// Mean square height of all waves \[m^2\], Int 4 dV/(q E*(q))^2.
     pub(crate) fn mean_square_height_m2(&self) -> f64 {
         self.tails().last().map_or(0.0, |tail| tail.mean_square_height_m2)
@@ -343,6 +378,11 @@ impl SeparationLaw {
             });
         }
         self.factor() * sum
+    }
+
+    /// Contact modulus E* \[Pa\].
+    pub(crate) fn contact_modulus_pa(&self) -> f64 {
+        self.contact_modulus_pa
     }
 
     /// Factor 2/(sqrt(pi) E*) of both integrals.

@@ -19,6 +19,7 @@ use trials::judge_truth::TruthRow;
 use trials::layer_trials;
 use trials::programme::{SpectrumTrial, programme};
 use trials::scene_trials::{self, SceneRow};
+use trials::yielding_trials::{self, YieldingRow};
 use trials::{judge_spectra, judge_trials, pressing, ratios, sections};
 
 use crate::Outcome;
@@ -99,6 +100,22 @@ pub(crate) fn flow(anew: bool) -> Outcome {
         store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
     }
     rewrite("docs/develop/trials.md", |page| flow_trials::written(page, &rows))
+}
+
+/// Compares closed forms of gap and stiffness after yielding with boundary elements: `docs/develop/trials.md`.
+pub(crate) fn yielding(anew: bool) -> Outcome {
+    let csv = checkout("docs/develop/trials/yielding.csv");
+    let known: Vec<YieldingRow> = stored(&csv, anew)?;
+    let mut rows: Vec<YieldingRow> = Vec::new();
+    for trial in [Set::Calibration, Set::Report].map(yielding_trials::trials).concat() {
+        let of_trial: Vec<YieldingRow> =
+            known.iter().filter(|row| row.spectrum() == trial.spectrum()).copied().collect();
+        rows.extend(if of_trial.is_empty() { trial.rows()? } else { trial.beside(&of_trial)? });
+        let is_left = |row: &&YieldingRow| !rows.iter().any(|done| done.spectrum() == row.spectrum());
+        let rest = known.iter().filter(is_left);
+        store(&rows.iter().chain(rest).copied().collect::<Vec<_>>(), &csv)?;
+    }
+    rewrite("docs/develop/trials.md", |page| yielding_trials::written(page, &rows))
 }
 
 /// Compares the judge of scenes with whole bands solved at once: `docs/develop/trials.md`.

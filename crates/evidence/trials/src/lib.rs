@@ -4,6 +4,7 @@
 //! * [`judge_trials`] and [`layer_trials`]: the judge of scenes against whole bands solved at once (`docs/develop/trials.md`);
 //! * [`gap_trials`]: mean gap and stiffness of Persson's theory against boundary elements (`docs/develop/trials.md`);
 //! * [`flatness_trials`]: parts that are not flat against elements with a long wave (`docs/develop/trials.md`);
+//! * [`yielding_trials`]: gap and stiffness after yielding against elements that flow (`docs/develop/trials.md`);
 //! * [`flattening_trials`]: spheres that flatten against elements that flow (`docs/develop/trials.md`);
 //! * [`scene_trials`]: the answer of reports on files of instruments (`docs/develop/trials.md`);
 //! * [`coverage`]: how often intervals of the area hold the truth (`docs/theory/intervals.md`).
@@ -28,5 +29,6 @@ pub mod scene_trials;
 pub mod sections;
 pub mod spectra;
 pub mod statistics;
+pub mod yielding_trials;
 
 pub use error::TrialError;

@@ -10,7 +10,7 @@ use trials::coverage::{CELLS, TAILS_HEADER, tails, tails_rows};
 use uncertainty::UncertaintySettings;
 
 const HELP: &str = "\
-cargo xtask trials models|judge|layers|gaps|flatness|flow|flattening [--anew]
+cargo xtask trials models|judge|layers|gaps|flatness|flow|flattening|yielding [--anew]
         compares with boundary elements and rewrites tables of docs; presses missing surfaces only, --anew all
 cargo xtask trials scenes FOLDER [--program PATH] [--anew]
         compares reports of a program, truearea beside this one, on files of a folder with whole bands pressed at once
@@ -92,6 +92,7 @@ fn named(name: &std::ffi::OsStr) -> Option<Trials> {
         "gaps" => comparison(compare::gaps),
         "flatness" => comparison(compare::flatness),
         "flow" => comparison(compare::flow),
+        "yielding" => comparison(compare::yielding),
         "flattening" => comparison(compare::flattening),
         "scenes" => Some(Trials::Scenes {
             folder: PathBuf::from("."),

@@ -76,7 +76,7 @@ fn the_gap_of_a_map_that_flows_is_its_own() {
     let yields = "indentation_hardness = \"300 MPa\"\n[counterface]\n";
     let answered = answered_with(yields, "[interface]\n[loads]\npressures = [\"100 MPa\"]\n");
     let [load] = &answered.conclusions().loads[..] else { panic!() };
-    let gap = load.asked.iter().find(|asked| asked.quantity == Quantity::FlowedGap).unwrap();
+    let gap = load.asked.iter().find(|asked| asked.quantity == Quantity::MeanGap).unwrap();
     let of_map_m = load.area.maps.unwrap().mean_gap_m.unwrap();
     assert!((gap.value.unwrap() / of_map_m - 1.0).abs() < 1e-9, "{gap:?} {of_map_m}");
     assert!(gap.high < 1.2 * gap.low, "{gap:?}");
@@ -85,10 +85,7 @@ fn the_gap_of_a_map_that_flows_is_its_own() {
 #[test]
 fn gas_and_spots_of_a_map_have_the_gap_and_the_stiffness_of_that_map_each() {
     let [elastic, yields] = ["", "indentation_hardness = \"300 MPa\"\n"];
-    for (bodies, spots, all) in [
-        (elastic, Quantity::ThermalConductance, Quantity::ThermalConductanceWithGas),
-        (yields, Quantity::YovanovichConductance, Quantity::FlowedConductanceWithGas),
-    ] {
+    for bodies in [elastic, yields] {
         let bodies = format!(
             "{bodies}thermal_conductivity = \"50 W/(m K)\"\n[counterface]\nthermal_conductivity = \"50 W/(m K)\"\n"
         );
@@ -101,12 +98,10 @@ fn gas_and_spots_of_a_map_have_the_gap_and_the_stiffness_of_that_map_each() {
         let theory = |quantity: Quantity| {
             states.value(Slot { quantity, load: Some(0), curve: None }).unwrap().unwrap()
         };
-        let stiffer = match spots {
-            Quantity::ThermalConductance => maps.stiffness_pa_per_m.unwrap() / theory(Quantity::Stiffness),
-            _ => 1.0,
-        };
+        let stiffer = maps.stiffness_pa_per_m.unwrap() / theory(Quantity::Stiffness);
         let of_gas = states.gas_over(maps.mean_gap_m.unwrap()).unwrap();
-        let expected = stiffer * theory(spots) + of_gas;
+        let expected = stiffer * theory(Quantity::ThermalConductance) + of_gas;
+        let all = Quantity::ThermalConductanceWithGas;
         let found = load.asked.iter().find(|asked| asked.quantity == all).unwrap();
         assert!((found.value.unwrap() / expected - 1.0).abs() < 1e-9, "{found:?} {expected}");
         assert!(found.low > of_gas / 1.1, "no less than the gas alone: {found:?} {of_gas}");
@@ -141,23 +136,21 @@ fn the_peaks_of_a_map_are_in_the_state_of_its_elements() {
     let theory_m = {
         let states = answered.scene.interface_states(&answered.results).unwrap();
         assert!(states.plastic_share(0).unwrap() > 0.9);
-        let slot = Slot { quantity: Quantity::FlowedGap, load: Some(0), curve: None };
+        let slot = Slot { quantity: Quantity::MeanGap, load: Some(0), curve: None };
         states.value(slot).unwrap().unwrap()
     };
     let mut gap = |plastic_share: Option<f64>| -> AskedValue {
         let headline = &mut answered.judgement.as_mut().unwrap().headlines[0];
         headline.maps.as_mut().unwrap().plastic_share = plastic_share;
-        let gaps = [Quantity::MeanGap, Quantity::FlowedGap];
         let [load] = &answered.conclusions().loads[..] else { panic!() };
-        *load.asked.iter().find(|asked| gaps.contains(&asked.quantity)).unwrap()
+        *load.asked.iter().find(|asked| asked.quantity == Quantity::MeanGap).unwrap()
     };
-    let state = |gap: AskedValue| (gap.quantity, gap.state);
-    assert_eq!(state(gap(Some(0.029))), (Quantity::MeanGap, Some(PeakState::Elastic)));
-    assert_eq!(state(gap(Some(0.5))), (Quantity::MeanGap, Some(PeakState::Partly)));
-    assert_eq!(state(gap(Some(0.91))), (Quantity::FlowedGap, Some(PeakState::Flowed)));
+    for (share, state) in [(0.029, PeakState::Elastic), (0.5, PeakState::Partly), (0.91, PeakState::Flowed)] {
+        assert_eq!(gap(Some(share)).state, Some(state));
+    }
     // An elastic map says nothing of peaks that have flowed.
     let of_spectrum = gap(None);
-    assert_eq!(state(of_spectrum), (Quantity::FlowedGap, Some(PeakState::Flowed)));
+    assert_eq!(of_spectrum.state, Some(PeakState::Flowed));
     assert!((of_spectrum.value.unwrap() / theory_m - 1.0).abs() < 1e-9, "{of_spectrum:?} {theory_m}");
 }
 

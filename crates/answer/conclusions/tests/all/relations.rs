@@ -245,25 +245,19 @@ fn check_asked(answered: &Answered, load: &AnswerUnderLoad, states: &InterfaceSt
     let heat = [
         Quantity::ThermalConductance,
         Quantity::ThermalConductanceWithGas,
-        Quantity::YovanovichConductance,
-        Quantity::FlowedConductanceWithGas,
         Quantity::GasConductance,
         Quantity::ThermalResistance,
     ];
-    let current = [
-        Quantity::ElectricalConductance,
-        Quantity::FlowedElectricalConductance,
-        Quantity::ElectricalResistance,
-    ];
+    let current = [Quantity::ElectricalConductance, Quantity::ElectricalResistance];
     // In full contact some have no value.
     let has_value = |wanted: &[Quantity]| {
         let slot = |quantity| Slot { quantity, load: Some(load.load), curve: None };
         wanted.iter().any(|quantity| states.value(slot(*quantity)).ok().flatten().is_some())
     };
-    let by_spots = if conducts { &heat[..4] } else { &heat[4..5] };
+    let by_spots = if conducts { &heat[..2] } else { &heat[2..3] };
     for (wanted, is_asked, by) in [
         (&[Quantity::Stiffness][..], is_open, &[Quantity::Stiffness][..]),
-        (&[Quantity::MeanGap, Quantity::FlowedGap], is_open, &[Quantity::MeanGap, Quantity::FlowedGap]),
+        (&[Quantity::MeanGap], is_open, &[Quantity::MeanGap]),
         (&heat, asks_heat, by_spots),
         (&current, asks_current, &current),
     ] {
@@ -298,26 +292,26 @@ fn check_state(
             assert!(share <= 0.03);
             seen.elastic += 1;
         }
-        PeakState::Partly => {
+        PeakState::Partly | PeakState::Unknown => {
             assert!(share > 0.03);
             seen.partly += 1;
         }
         PeakState::Flowed => {
             assert!(share > 0.9);
-            let flowed = match asked.quantity {
+            let theory = match asked.quantity {
                 Quantity::ElectricalResistance => {
-                    value(Quantity::FlowedElectricalConductance).map(|found| 1.0 / (found * per_area))
+                    value(Quantity::ElectricalConductance).map(|found| 1.0 / (found * per_area))
                 }
                 Quantity::ThermalResistance => value(match states.request.gas {
-                    Some(_) => Quantity::FlowedConductanceWithGas,
-                    None => Quantity::YovanovichConductance,
+                    Some(_) => Quantity::ThermalConductanceWithGas,
+                    None => Quantity::ThermalConductance,
                 })
                 .map(|found| 1.0 / (found * per_area)),
                 other => value(other),
             };
-            let (flowed, shown) = (flowed.unwrap(), asked.value.unwrap());
-            assert!((shown / flowed - 1.0).abs() < 1e-12, "{shown} {flowed}");
-            assert!(answered.uncertainty.is_some() || asked.high / asked.low < 3.01, "{asked:?}");
+            let (theory, shown) = (theory.unwrap(), asked.value.unwrap());
+            assert!((shown / theory - 1.0).abs() < 1e-12, "{shown} {theory}");
+            assert!(answered.uncertainty.is_some() || asked.high / asked.low < 1.57, "{asked:?}");
             seen.flowed += 1;
         }
     }

@@ -1,5 +1,6 @@
 //! The mean gap against load, and the loops of a tangential load, as figures.
 
+use interface::conductance::MOST_PLASTIC_SHARE;
 use scene::Scene;
 use study::figure::{Axis, FigureData, Mark, Series, ShearLoop, Shows, shear_loops};
 use study::interface::InterfaceStates;
@@ -35,17 +36,19 @@ pub(crate) fn gap_against_load(
     let along: Vec<f64> = log_spaced(least_pa, most_pa, POINTS).collect();
     // Nearly closed gaps would take up most of a logarithmic axis.
     let least_m = 1e-3 * states.rms_height_m();
-    let line = |column: &str, curve_index: usize, gap_m: &dyn Fn(f64) -> f64| {
+    let line = |column: &str, curve_index: usize, gap_m: &dyn Fn(f64) -> Option<f64>| {
         let points: Vec<(f64, f64)> = along
             .iter()
-            .map(|&pressure_pa| (pressure_pa, gap_m(pressure_pa)))
+            .filter_map(|&pressure_pa| Some((pressure_pa, gap_m(pressure_pa)?)))
             .filter(|(_, gap_m)| *gap_m > least_m)
             .collect();
         Series { curve: column.to_owned(), curve_index, ..Series::alone(column, points) }
     };
-    let whole = line("mean gap", 1, &|pressure_pa| states.separation_under(pressure_pa).mean_gap_m);
+    let whole = line("mean gap", 1, &|pressure_pa| states.mean_gap_under_m(pressure_pa));
     let law = line("law of light loads", 0, &|pressure_pa| {
-        light.decay_length_m * (light.reference_pressure_pa / pressure_pa).ln()
+        // Peaks that flow follow another law.
+        let is_elastic = states.plastic_share(0).is_none_or(|share| share <= MOST_PLASTIC_SHARE);
+        is_elastic.then(|| light.decay_length_m * (light.reference_pressure_pa / pressure_pa).ln())
     });
     let mark = |load: usize| {
         let slot = Slot { quantity: Quantity::MeanGap, load: Some(load), curve: None };

@@ -319,12 +319,12 @@ fn few_waves(conclusions: &Conclusions) -> String {
 
 fn asked_heading(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::MeanGap | Quantity::FlowedGap => "Gap",
+        Quantity::MeanGap => "Gap",
         Quantity::Stiffness => "Stiffness",
         Quantity::FrictionCoefficient => "Friction",
-        Quantity::ElectricalConductance | Quantity::FlowedElectricalConductance => "Current",
+        Quantity::ElectricalConductance => "Current",
         Quantity::ElectricalResistance => "Resistance",
-        Quantity::ThermalConductanceWithGas | Quantity::FlowedConductanceWithGas => "Heat, with gas",
+        Quantity::ThermalConductanceWithGas => "Heat, with gas",
         _ => "Heat",
     }
 }
@@ -333,7 +333,8 @@ fn asked_heading(quantity: Quantity) -> &'static str {
 fn asked_words(asked: &AskedValue, at: &str) -> String {
     let range = interface_words::range(asked.quantity, asked.low, asked.high);
     let state = match asked.state {
-        Some(PeakState::Partly) => "; from elastic to flowed peaks",
+        Some(PeakState::Partly) => "; part of the peaks has flowed",
+        Some(PeakState::Unknown) => "; from elastic to flowed peaks",
         Some(PeakState::Flowed) => "; the peaks have flowed",
         Some(PeakState::Elastic) | None => "",
     };

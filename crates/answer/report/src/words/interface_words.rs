@@ -119,11 +119,15 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
         let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
         Some(format!(" ({} of the contact)", percent(share)))
     });
-    notes.extend(plastic.map(|loads| {
-        format!(
-            "the contact yields at {loads}: gap, stiffness and what follows from them for elastic peaks are an order of magnitude \
-             there"
-        )
+    notes.extend(plastic.map(|loads| match states.leaves_out_yielding() {
+        true => format!(
+            "the contact yields at {loads}: gap, stiffness and what follows from them are those of elastic peaks, an order of \
+             magnitude there"
+        ),
+        false => format!(
+            "the contact yields at {loads}: gap, stiffness, heat and current are those of peaks that have flowed, the stiffness on \
+             unloading"
+        ),
     }));
     let below_atoms = loads_where(scene, |load| {
         let slot = Slot { quantity: Quantity::MeanGap, load: Some(load), curve: None };

@@ -49,14 +49,14 @@ quantities! {
         "cooper_mikic_yovanovich_conductance_w_per_m2_k",
         "thermal conductance of flowed peaks (Cooper, Mikic & Yovanovich)", "W/(m² K)";
     /// Distance Y of the mean planes where peaks have flowed at the hardness \[m\].
-    FlowedGap = "flowed_gap_m", "distance of the mean planes of flowed peaks", "m";
+    YovanovichGap = "yovanovich_gap_m", "distance of the mean planes of flowed peaks", "m";
     /// Thermal conductance of flowed peaks, by Yovanovich's correlation, and of the gas in their gap per nominal area
     /// \[W/(m^2 K)\].
-    FlowedConductanceWithGas =
-        "flowed_conductance_with_gas_w_per_m2_k", "thermal conductance of flowed peaks and gas", "W/(m² K)";
+    YovanovichConductanceWithGas =
+        "yovanovich_conductance_with_gas_w_per_m2_k", "thermal conductance of flowed peaks and gas", "W/(m² K)";
     /// Electrical conductance per nominal area by Yovanovich's correlation for peaks that have flowed \[S/m^2\].
-    FlowedElectricalConductance =
-        "flowed_electrical_conductance_s_per_m2",
+    YovanovichElectricalConductance =
+        "yovanovich_electrical_conductance_s_per_m2",
         "electrical conductance of flowed peaks (Yovanovich)", "S/m²";
     /// Thermal conductance of the gas in the gaps per nominal area \[W/(m^2 K)\].
     GasConductance = "gas_conductance_w_per_m2_k", "thermal conductance of the gas in the gaps", "W/(m² K)";

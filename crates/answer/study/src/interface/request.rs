@@ -167,14 +167,14 @@ impl InterfaceRequest {
     fn of_each_load(&self, has_hardness: bool) -> Vec<Quantity> {
         let has_area = self.nominal_area_m2.is_some();
         let mut quantities = vec![Quantity::MeanGap, Quantity::Stiffness];
-        quantities.extend(has_hardness.then_some(Quantity::FlowedGap));
+        quantities.extend(has_hardness.then_some(Quantity::YovanovichGap));
         if self.conductivities.is_some() {
             quantities.push(Quantity::ThermalConductance);
             quantities.extend(has_area.then_some(Quantity::ThermalResistance));
             if has_hardness {
                 quantities
                     .extend([Quantity::YovanovichConductance, Quantity::CooperMikicYovanovichConductance]);
-                quantities.extend(self.gas.map(|_| Quantity::FlowedConductanceWithGas));
+                quantities.extend(self.gas.map(|_| Quantity::YovanovichConductanceWithGas));
             }
         }
         if self.gas.is_some() {
@@ -184,7 +184,7 @@ impl InterfaceRequest {
         if self.resistivities.is_some() {
             quantities.push(Quantity::ElectricalConductance);
             quantities.extend(has_area.then_some(Quantity::ElectricalResistance));
-            quantities.extend(has_hardness.then_some(Quantity::FlowedElectricalConductance));
+            quantities.extend(has_hardness.then_some(Quantity::YovanovichElectricalConductance));
         }
         if let Some(seal) = &self.seal {
             quantities.extend([Quantity::ChannelWavelength, Quantity::ChannelHeight, Quantity::LeakGap]);

@@ -14,12 +14,12 @@ impl Quantity {
                 "Barber (2003), Proc. R. Soc. A 459:53"
             }
             Quantity::YovanovichConductance
-            | Quantity::FlowedElectricalConductance
-            | Quantity::FlowedConductanceWithGas => "Yovanovich (1982), Prog. Astronaut. Aeronaut. 83:83",
+            | Quantity::YovanovichElectricalConductance
+            | Quantity::YovanovichConductanceWithGas => "Yovanovich (1982), Prog. Astronaut. Aeronaut. 83:83",
             Quantity::CooperMikicYovanovichConductance => {
                 "Cooper, Mikic & Yovanovich (1969), Int. J. Heat Mass Transfer 12:279"
             }
-            Quantity::FlowedGap | Quantity::GasConductance | Quantity::ThermalConductanceWithGas => {
+            Quantity::YovanovichGap | Quantity::GasConductance | Quantity::ThermalConductanceWithGas => {
                 "Yovanovich (2005), IEEE Trans. Compon. Packag. Technol. 28:182"
             }
             Quantity::ChannelWavelength | Quantity::ChannelHeight | Quantity::TightPressure => {

@@ -13,6 +13,7 @@ use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{LIGHT_CONTACT, LightLoads, STIFFNESS_WITHIN, Separation, SeparationLaw};
+use persson::yielding::{SpotFactor, YieldedGap, YieldedSeparation, YieldingLaw};
 use persson::{Roughness, SealConductance, SealFlow, constant_hardness, elastic};
 use spectrum::{Moments, Normalisation};
 
@@ -50,6 +51,10 @@ pub struct InterfaceStates<'a> {
     /// The inputs.
     pub inputs: InterfaceInputs<'a>,
     elastic: Arc<ElasticStates>,
+    /// The separation of bodies that yield under every load, once it is read; `None` where everything touches and flows.
+    yielded: Vec<OnceLock<Option<YieldedSeparation>>>,
+    /// Factors of spots that have flowed under every load; those of the best inputs are those of their draws.
+    spots: Vec<SpotFactor>,
 }
 
 /// The part that does not depend on the hardness.
@@ -61,6 +66,8 @@ struct ElasticStates {
     separation: SeparationLaw,
     /// The separation under every load, once it is read.
     separations: Vec<OnceLock<Separation>>,
+    /// The law of peaks that flow, once it is read.
+    yielding: OnceLock<YieldingLaw>,
     sealing: Option<SealingLaw>,
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
     sheared: Vec<OnceLock<Option<ShearedContact>>>,
@@ -81,19 +88,21 @@ impl<'a> InterfaceStates<'a> {
     /// The requested quantities; `None` if the spectrum of the results has no moments.
     #[must_use]
     pub fn new(request: &'a InterfaceRequest, inputs: InterfaceInputs<'a>) -> Option<Self> {
-        Self::from_inputs(request, inputs, None)
+        let spots = vec![SpotFactor::new(); inputs.pressures.len()];
+        Self::from_inputs(request, inputs, None, spots)
     }
 
-    /// Returns the quantities of other inputs that differ little, such as draws of them: flow factors are shared.
+    /// Returns the quantities of other inputs that differ little, such as draws of them: factors of flow and of spots are shared.
     #[must_use]
     pub fn drawn(&self, inputs: InterfaceInputs<'a>) -> Option<Self> {
-        Self::from_inputs(self.request, inputs, self.elastic.flow.clone())
+        Self::from_inputs(self.request, inputs, self.elastic.flow.clone(), self.known_spots())
     }
 
     fn from_inputs(
         request: &'a InterfaceRequest,
         inputs: InterfaceInputs<'a>,
         flow: Option<Arc<SealFlow>>,
+        spots: Vec<SpotFactor>,
     ) -> Option<Self> {
         let results = inputs.results;
         let (last, _) = results.moments.last()?;
@@ -108,14 +117,33 @@ impl<'a> InterfaceStates<'a> {
         let mut elastic =
             ElasticStates { with_wave, ..ElasticStates::new(request, &inputs, roughness, moments) };
         elastic.flow = flow.or(elastic.flow);
-        Some(InterfaceStates { request, inputs, elastic: Arc::new(elastic) })
+        Some(Self::from_parts(request, inputs, Arc::new(elastic), spots))
+    }
+
+    fn from_parts(
+        request: &'a InterfaceRequest,
+        inputs: InterfaceInputs<'a>,
+        elastic: Arc<ElasticStates>,
+        spots: Vec<SpotFactor>,
+    ) -> Self {
+        let yielded = vec![OnceLock::new(); inputs.pressures.len()];
+        InterfaceStates { request, inputs, elastic, yielded, spots }
+    }
+
+    /// Returns the factors of spots that have flowed, each of which is computed for these inputs.
+    fn known_spots(&self) -> Vec<SpotFactor> {
+        for load in 0..self.inputs.pressures.len() {
+            let _ = self.separation(load);
+        }
+        self.spots.clone()
     }
 
     /// Returns the states with the deviation from flat faces as a wave of the roughness; `None` without one.
     #[must_use]
     pub fn with_wave(&self) -> Option<Self> {
         let elastic = Arc::clone(self.elastic.with_wave.as_ref()?);
-        Some(InterfaceStates { request: self.request, inputs: self.inputs.clone(), elastic })
+        let spots = vec![SpotFactor::new(); self.inputs.pressures.len()];
+        Some(Self::from_parts(self.request, self.inputs.clone(), elastic, spots))
     }
 
     /// Returns what both limits of the flatness add under a load, as a wave and as a cap; `None` without a flatness.
@@ -124,7 +152,7 @@ impl<'a> InterfaceStates<'a> {
         let (flatness, with_wave) = self.request.flatness.zip(self.elastic.with_wave.as_ref())?;
         let (pressure_pa, modulus_pa) = (self.pressure_pa(load), self.modulus_pa());
         let compare = || {
-            let flat = self.separation(load);
+            let flat = self.elastic_separation(load);
             let ridge = flatness.ridge(pressure_pa, modulus_pa);
             let cap = flatness.cap(pressure_pa, modulus_pa);
             [
@@ -145,7 +173,7 @@ impl<'a> InterfaceStates<'a> {
     #[must_use]
     pub fn with_hardness(&self, hardness_pa: Option<f64>) -> Self {
         let inputs = InterfaceInputs { hardness_pa, ..self.inputs.clone() };
-        InterfaceStates { request: self.request, inputs, elastic: Arc::clone(&self.elastic) }
+        Self::from_parts(self.request, inputs, Arc::clone(&self.elastic), self.known_spots())
     }
 
     /// The spectrum as the theory takes it.
@@ -203,7 +231,13 @@ impl<'a> InterfaceStates<'a> {
         self.light_loads().is_some_and(|light| light.lacks_roll_off(&self.elastic.roughness))
     }
 
-    /// Gap and stiffness under any nominal pressure > 0 \[Pa\].
+    /// Mean gap \[m\] under any nominal pressure > 0 \[Pa\], of peaks that flow where a hardness is given; `None` where all has flowed.
+    #[must_use]
+    pub fn mean_gap_under_m(&self, pressure_pa: f64) -> Option<f64> {
+        Some(self.gap_at(pressure_pa)?.mean_gap_m)
+    }
+
+    /// Gap and stiffness of elastic peaks under any nominal pressure > 0 \[Pa\].
     #[must_use]
     pub fn separation_under(&self, pressure_pa: f64) -> Separation {
         self.elastic.separation.whole(pressure_pa)
@@ -238,10 +272,15 @@ impl<'a> InterfaceStates<'a> {
     #[must_use]
     pub fn plastic_share(&self, load: usize) -> Option<f64> {
         let hardness_pa = self.inputs.hardness_pa?;
-        let last = self.elastic.roughness.places().last()?;
-        let deviation_pa = last.variance_pa2(self.modulus_pa()).sqrt();
-        let areas = constant_hardness::areas(self.pressure_pa(load), deviation_pa, hardness_pa);
+        let spread_pa = self.elastic.spread_pa(self.modulus_pa());
+        let areas = constant_hardness::areas(self.pressure_pa(load), spread_pa, hardness_pa);
         Some(areas.plastic / areas.contact())
+    }
+
+    /// Returns true if gap and stiffness leave out that peaks flow, as they do on a layer.
+    #[must_use]
+    pub fn leaves_out_yielding(&self) -> bool {
+        self.inputs.pair.layer_compliance().is_some()
     }
 
     /// The nominal pressure \[Pa\] from which a seal is closed because its bodies flow: they touch the share p/H at least.
@@ -305,21 +344,23 @@ impl<'a> InterfaceStates<'a> {
 
     fn under(&self, load: usize, slot: Slot) -> Result<Option<f64>, InterfaceError> {
         match slot.quantity {
-            Quantity::MeanGap => Ok(Some(self.separation(load).mean_gap_m).filter(|gap_m| *gap_m > 0.0)),
+            Quantity::MeanGap => {
+                Ok(self.separation(load).map(|found| found.gap.mean_gap_m).filter(|gap_m| *gap_m > 0.0))
+            }
             Quantity::Stiffness => Ok(self.stiffness_pa_per_m(load)),
             Quantity::ThermalConductance | Quantity::ThermalResistance => self.heat(load, slot.quantity),
             Quantity::YovanovichConductance => self.flowed(load, PlasticCorrelation::Yovanovich),
             Quantity::CooperMikicYovanovichConductance => {
                 self.flowed(load, PlasticCorrelation::CooperMikicYovanovich)
             }
-            Quantity::FlowedGap => Ok(self.flowed_gap_m(load)?.filter(|gap_m| *gap_m > 0.0)),
-            Quantity::FlowedConductanceWithGas => {
+            Quantity::YovanovichGap => Ok(self.flowed_gap_m(load)?.filter(|gap_m| *gap_m > 0.0)),
+            Quantity::YovanovichConductanceWithGas => {
                 let of_spots = self.flowed(load, PlasticCorrelation::Yovanovich)?;
                 // Where everything touches no gap is left.
                 let of_gas = self.flowed_gap_m(load)?.and_then(|gap_m| self.gas_over(gap_m));
                 Ok(of_spots.map(|of_spots| of_spots + of_gas.unwrap_or(0.0)))
             }
-            Quantity::FlowedElectricalConductance => self.flowed_current(load),
+            Quantity::YovanovichElectricalConductance => self.flowed_current(load),
             Quantity::GasConductance => Ok(self.gas(load)),
             Quantity::ThermalConductanceWithGas => {
                 let of_spots = self.heat(load, Quantity::ThermalConductance)?;
@@ -375,7 +416,9 @@ impl<'a> InterfaceStates<'a> {
 
     fn tangential(&self, load: usize, quantity: Quantity) -> Result<Option<f64>, InterfaceError> {
         if quantity == Quantity::TangentialStiffness {
-            let (pair, stiffness) = (self.sheared_pair()?, self.stiffness_pa_per_m(load));
+            // The response to a tangential load is that of elastic peaks throughout.
+            let stiffness = self.finite_stiffness_pa_per_m(self.pressure_pa(load));
+            let pair = self.sheared_pair()?;
             return Ok(pair.zip(stiffness).map(|(pair, stiffness)| stiffness / pair.compliance_ratio()));
         }
         let Some(found) = self.sheared(load)? else { return Ok(None) };
@@ -407,9 +450,9 @@ impl<'a> InterfaceStates<'a> {
         Ok(spot.map(|spot| spot.thermal_resistance_k_per_w(conductivities)))
     }
 
-    /// Conductance of the gas over the gaps of the elastic theory, taken as Gaussian about their mean.
+    /// Conductance of the gas over the gaps of the theory, taken as Gaussian about the distance of the mean planes.
     fn gas(&self, load: usize) -> Option<f64> {
-        self.gas_over(self.separation(load).mean_gap_m)
+        self.gas_over(self.separation(load)?.gap.mean_plane_distance_m)
     }
 
     /// Returns the conductance \[W/(m^2 K)\] of the gas over Gaussian gaps about a distance of the mean planes \[m\]; `None` in a vacuum.
@@ -420,14 +463,15 @@ impl<'a> InterfaceStates<'a> {
         Some(of_gas.conductance_w_per_m2_k(gap_m, rms_height_m))
     }
 
-    /// Returns the gap \[m\] under a local pressure \[Pa\], of elastic peaks or of those that have flowed; `None` where everything touches.
+    /// Returns the distance of the mean planes \[m\] under a local pressure \[Pa\], by the theory or by Yovanovich; `None` where
+    /// everything touches.
     pub(super) fn gap_under(&self, gap: Quantity, local_pa: f64) -> Option<f64> {
         match gap {
-            Quantity::FlowedGap => {
+            Quantity::YovanovichGap => {
                 let ratio = PressureRatio::new(local_pa, self.inputs.hardness_pa?).ok()?;
                 plastic_separation_m(self.elastic.moments.rms_height_m(), ratio)
             }
-            _ => Some(self.elastic.separation.whole(local_pa).mean_gap_m),
+            _ => Some(self.gap_at(local_pa)?.mean_plane_distance_m),
         }
     }
 
@@ -485,7 +529,8 @@ impl<'a> InterfaceStates<'a> {
     }
 
     fn stiffness_pa_per_m(&self, load: usize) -> Option<f64> {
-        Some(self.separation(load).stiffness_pa_per_m).filter(|stiffness| stiffness.is_finite())
+        let stiffness = self.separation(load)?.unloading_stiffness_pa_per_m;
+        Some(stiffness).filter(|stiffness| stiffness.is_finite())
     }
 
     fn finite_stiffness_pa_per_m(&self, pressure_pa: f64) -> Option<f64> {
@@ -495,12 +540,34 @@ impl<'a> InterfaceStates<'a> {
 
     /// The share in contact under any pressure \[Pa\] by the elastic theory.
     fn elastic_area_fraction(&self, pressure_pa: f64) -> Option<f64> {
-        let last = self.elastic.roughness.places().last()?;
-        Some(elastic::area_fraction(pressure_pa, last.variance_pa2(self.modulus_pa()).sqrt()))
+        Some(elastic::area_fraction(pressure_pa, self.elastic.spread_pa(self.modulus_pa())))
     }
 
-    fn separation(&self, load: usize) -> Separation {
+    fn elastic_separation(&self, load: usize) -> Separation {
         *self.elastic.separations[load].get_or_init(|| self.elastic.separation.whole(self.pressure_pa(load)))
+    }
+
+    /// Gap and stiffness under a load, of elastic peaks, or of those that flow at the hardness; `None` where all has flowed.
+    fn separation(&self, load: usize) -> Option<YieldedSeparation> {
+        if self.inputs.hardness_pa.is_none() {
+            return Some(self.elastic_separation(load).into());
+        }
+        let (pressure_pa, hardness_pa) = (self.pressure_pa(load), self.inputs.hardness_pa?);
+        let find = || self.yielding().at(pressure_pa, hardness_pa, &self.spots[load]);
+        *self.yielded[load].get_or_init(find)
+    }
+
+    /// Gap under any pressure \[Pa\]; `None` where all has flowed.
+    fn gap_at(&self, pressure_pa: f64) -> Option<YieldedGap> {
+        match self.inputs.hardness_pa {
+            Some(hardness_pa) => self.yielding().gap(pressure_pa, hardness_pa),
+            None => Some(YieldedSeparation::from(self.elastic.separation.whole(pressure_pa)).gap),
+        }
+    }
+
+    fn yielding(&self) -> &YieldingLaw {
+        let spread_pa = || self.elastic.spread_pa(self.modulus_pa());
+        self.elastic.yielding.get_or_init(|| YieldingLaw::new(&self.elastic.separation, spread_pa()))
     }
 
     fn is_closed_by_yielding(&self, load: usize) -> bool {
@@ -525,7 +592,7 @@ impl<'a> InterfaceStates<'a> {
         let conduct = || {
             let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
             let pressure_over_tight = self.pressure_pa(load) / sealing.tight_pressure_pa();
-            flow.conductance(pressure_over_tight, self.separation(load).mean_gap_m)
+            flow.conductance(pressure_over_tight, self.elastic_separation(load).mean_gap_m)
         };
         *self.elastic.conductances[load].get_or_init(conduct)
     }
@@ -571,6 +638,7 @@ impl ElasticStates {
             roughness,
             separation,
             separations: vec![OnceLock::new(); loads],
+            yielding: OnceLock::new(),
             sealing,
             sheared: vec![OnceLock::new(); loads],
             constrictions: vec![OnceLock::new(); loads],
@@ -579,6 +647,11 @@ impl ElasticStates {
             with_wave: None,
             flatness: vec![OnceLock::new(); loads],
         }
+    }
+
+    /// Spread of the pressure that would flatten the whole roughness \[Pa\].
+    fn spread_pa(&self, modulus_pa: f64) -> f64 {
+        self.roughness.places().last().map_or(0.0, |last| last.variance_pa2(modulus_pa).sqrt())
     }
 }
 

@@ -65,12 +65,12 @@ impl InterfaceStates<'_> {
             Ok(Some(gas + in_series((flat - flat_gas).max(0.0), heat())))
         };
         Ok(match quantity {
-            Quantity::MeanGap | Quantity::FlowedGap => Some(flat + adds.gap_m),
+            Quantity::MeanGap | Quantity::YovanovichGap => Some(flat + adds.gap_m),
             Quantity::Stiffness => Some((flat.recip() + adds.compliance_m_per_pa).recip()),
             Quantity::ThermalConductance
             | Quantity::YovanovichConductance
             | Quantity::CooperMikicYovanovichConductance => Some(in_series(flat, heat())),
-            Quantity::ElectricalConductance | Quantity::FlowedElectricalConductance => {
+            Quantity::ElectricalConductance | Quantity::YovanovichElectricalConductance => {
                 Some(in_series(flat, current()))
             }
             Quantity::ThermalResistance => {
@@ -80,7 +80,7 @@ impl InterfaceStates<'_> {
                 self.resistance(Quantity::ElectricalConductance, load, flat, current())?
             }
             Quantity::GasConductance | Quantity::ThermalConductanceWithGas => with_gas(Quantity::MeanGap)?,
-            Quantity::FlowedConductanceWithGas => with_gas(Quantity::FlowedGap)?,
+            Quantity::YovanovichConductanceWithGas => with_gas(Quantity::YovanovichGap)?,
             _ => None,
         })
     }

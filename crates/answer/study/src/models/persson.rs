@@ -4,6 +4,7 @@ use asperity::{MaterialPair, NixGao};
 use persson::corrections::Correction;
 use persson::hardness_laws::{CappedHardness, HardnessError, HardnessGrowth};
 use persson::separation::SeparationLaw;
+use persson::yielding::{SpotFactor, YieldingLaw};
 use persson::{Band, Cut, EnergyFactor, PerssonModel, Roughness, RoughnessSample};
 use serde::Serialize;
 use spectrum::Normalisation;
@@ -150,7 +151,12 @@ impl Persson {
     ) -> Result<PerssonSurface, HardnessError> {
         let (model, roughness) = self.between_bodies(roughness)?;
         let separation = model.separation(&roughness, energy_factor);
-        Ok(PerssonSurface { model, roughness, separation })
+        let yielding =
+            model.constant_hardness_pa().zip(roughness.places().last()).map(|(hardness_pa, last)| {
+                let spread_pa = last.variance_pa2(model.contact_modulus_pa()).sqrt();
+                (YieldingLaw::new(&separation, spread_pa), hardness_pa)
+            });
+        Ok(PerssonSurface { model, roughness, separation, yielding })
     }
 }
 
@@ -259,17 +265,33 @@ pub struct PerssonSurface {
     pub roughness: Roughness,
     /// The law of its separations.
     pub separation: SeparationLaw,
+    /// The law of separations where peaks flow at a constant hardness \[Pa\], if they do.
+    yielding: Option<(YieldingLaw, f64)>,
 }
 
 impl PerssonSurface {
+    /// Returns true if peaks flow at a constant hardness.
+    pub(crate) fn yields(&self) -> bool {
+        self.yielding.is_some()
+    }
+
     pub(super) fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
         let last = self.model.at_last(&self.roughness, &self.separation, pressure_pa)?;
         let last = last.ok_or(GapError::NoRoughness)?;
-        Ok(GapState {
+        let elastic = GapState {
             nominal_pressure_pa: pressure_pa,
             area_fraction: last.areas.contact(),
             mean_gap_m: last.mean_gap_m,
+            mean_plane_distance_m: last.mean_gap_m,
             stiffness_pa_per_m: last.stiffness_pa_per_m,
+        };
+        let Some((law, hardness_pa)) = &self.yielding else { return Ok(elastic) };
+        let yielded = law.at(pressure_pa, *hardness_pa, &SpotFactor::new());
+        Ok(GapState {
+            mean_gap_m: yielded.map(|yielded| yielded.gap.mean_gap_m),
+            mean_plane_distance_m: yielded.map(|yielded| yielded.gap.mean_plane_distance_m),
+            stiffness_pa_per_m: yielded.map(|yielded| yielded.unloading_stiffness_pa_per_m),
+            ..elastic
         })
     }
 }

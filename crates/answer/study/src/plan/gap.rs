@@ -14,10 +14,12 @@ pub struct GapState {
     pub nominal_pressure_pa: f64,
     /// Real over nominal area of contact.
     pub area_fraction: f64,
-    /// Mean gap \[m\]; none where the model has none: with more than 3 % of the contact plastic in Persson's theory, and beyond
-    /// complete contact or what all flattened spheres carry.
+    /// Mean of the open gap \[m\]; none where the model has none: where more than 3 % of the contact flows at a hardness that grows in
+    /// Persson's theory, and beyond complete contact or what all flattened spheres carry.
     pub mean_gap_m: Option<f64>,
-    /// K = -dp/du \[Pa/m\]; none where there is no gap.
+    /// Distance of the mean planes of the undeformed faces \[m\]: less than the mean gap by the mean depth that has flowed.
+    pub mean_plane_distance_m: Option<f64>,
+    /// K = -dp/du \[Pa/m\], of unloading where the contact has flowed; none where there is no gap.
     pub stiffness_pa_per_m: Option<f64>,
 }
 

@@ -263,10 +263,12 @@ pub(crate) struct PressedAsperities {
 impl PressedAsperities {
     pub fn at(&self, pressure_pa: f64) -> Result<GapState, GapError> {
         let state = self.contact.at_pressure(pressure_pa, self.tolerance, None)?;
+        let mean_gap_m = state.separation_m.map(|separation_m| separation_m + self.mean_height_m);
         Ok(GapState {
             nominal_pressure_pa: pressure_pa,
             area_fraction: state.area_fraction,
-            mean_gap_m: state.separation_m.map(|separation_m| separation_m + self.mean_height_m),
+            mean_gap_m,
+            mean_plane_distance_m: mean_gap_m,
             stiffness_pa_per_m: state.stiffness_pa_per_m(),
         })
     }
