@@ -125,20 +125,27 @@ impl Questions<'_> {
         found
     }
 
-    /// A value with the state of the peaks and its range, which spans that of elastic peaks where it is not known how much flows.
+    /// A value with the state of the peaks and its range, which spans elastic peaks and those of a constant hardness where it
+    /// is not known how much flows.
     fn in_state(&self, quantity: Quantity, factor: f64) -> Option<AskedValue> {
         let found = self.within(quantity, factor)?;
         let state = PeakState::new(self.states, self.load, self.area);
-        let of_elastic = || {
-            let elastic = self.states.with_hardness(None).value(self.slot(quantity)).ok().flatten()?;
-            Some(elastic / self.by_theory(quantity)?)
+        let others = match state {
+            PeakState::Unknown => vec![self.states.with_hardness(None), self.states.at_constant_hardness()],
+            _ => Vec::new(),
         };
-        let elastic = (state == PeakState::Unknown).then(of_elastic).flatten().unwrap_or(1.0);
+        let over_this = |other: &InterfaceStates<'_>| {
+            Some(other.value(self.slot(quantity)).ok().flatten()? / self.by_theory(quantity)?)
+        };
+        let [least, largest] = others
+            .iter()
+            .filter_map(over_this)
+            .fold([1.0f64, 1.0], |[least, largest], ratio| [least.min(ratio), largest.max(ratio)]);
         Some(AskedValue {
             quantity,
             value: Some(found.value),
-            low: found.low * elastic.min(1.0),
-            high: found.high * elastic.max(1.0),
+            low: found.low * least,
+            high: found.high * largest,
             state: Some(state),
             flat: found.flat,
         })

@@ -157,7 +157,7 @@ pub(crate) fn cautions(
 fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> Option<Remark> {
     let leaks = states.request.seal.is_some_and(|seal| seal.joint.is_some());
     let what = match (leaks, states.request.shear.is_some()) {
-        _ if states.leaves_out_yielding() => "gap and stiffness",
+        _ if states.inputs.pair.layer_compliance().is_some() => "gap and stiffness",
         (true, true) => "leaks and tangential loads",
         (true, false) => "leaks",
         (false, true) => "tangential loads",

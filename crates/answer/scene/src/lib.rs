@@ -227,6 +227,7 @@ impl Scene {
             normalisation: self.needs.moments?,
             pair: material.pair,
             hardness_pa: material.hardness_pa(),
+            hardness_grows: material.strain_gradient_length_m().is_some(),
             pressures: self.needs.loads.iter().map(|load| load.nominal_pressure).collect(),
         };
         InterfaceStates::new(request, inputs)

@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 use numerics::{minimum_in_bracket, zero_in_bracket};
 
 use crate::excursion::{density, level_of_share, mean_depth_below, punch_load, punch_pairs, share_above};
-use crate::separation::SeparationLaw;
+use crate::separation::{SeparationLaw, Wave};
 
 /// Waves, and distances, per decade.
 const PER_DECADE: f64 = 24.0;
@@ -39,15 +39,6 @@ struct Correlations {
     distances_m: Vec<f64>,
     /// Share of the correlation of every wave that is lost, distance by distance.
     lost: Vec<f64>,
-}
-
-/// Waves of a narrow band.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Wave {
-    /// Wavevector \[rad/m\].
-    pub(crate) wavevector_rad_per_m: f64,
-    /// Mean square height \[m^2\].
-    pub(crate) mean_square_height_m2: f64,
 }
 
 /// Bent surface of bodies that flow under a load.

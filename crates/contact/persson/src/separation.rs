@@ -23,7 +23,6 @@ use numerics::{GaussLegendre, zero_in_bracket};
 
 use crate::contact_energy::ContactEnergy;
 use crate::energy::EnergyFactor;
-use crate::flowed_surface::Wave;
 use crate::roughness::{Place, Roughness};
 use crate::stretch::Stretch;
 
@@ -49,6 +48,15 @@ pub struct Separation {
     pub mean_gap_m: f64,
     /// Stiffness K = -dp/du \[Pa/m\]; infinite where nothing has been flattened.
     pub stiffness_pa_per_m: f64,
+}
+
+/// Waves of a narrow band.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wave {
+    /// Wavevector \[rad/m\].
+    pub(crate) wavevector_rad_per_m: f64,
+    /// Mean square height \[m^2\].
+    pub(crate) mean_square_height_m2: f64,
 }
 
 /// Area fraction below which stiffness and gap are less certain, since few summits of a finite surface carry the load.

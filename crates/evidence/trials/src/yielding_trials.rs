@@ -350,11 +350,11 @@ pub fn written(page: &str, rows: &[YieldingRow]) -> Result<String, TrialError> {
     with_section(page, "yielding", &table(&headings, &lines)).map_err(TrialError::Page)
 }
 
-/// Root mean square of the logarithms of some ratios in per cent, and the least and the largest: `9 % (0.83 to 1.12)`.
+/// Root mean square of the logarithms of some ratios in per cent, and the least and the largest: `9 % 0.83–1.12`.
 fn spread(ratios: impl Iterator<Item = f64> + Clone) -> String {
     let square: f64 = ratios.clone().map(|ratio| ratio.ln().powi(2)).sum();
     let root = (square / ratios.clone().count() as f64).sqrt();
     let [least, largest] = ratios
         .fold([f64::INFINITY, 0.0f64], |[least, largest], ratio| [least.min(ratio), largest.max(ratio)]);
-    format!("{:.0} % ({} to {})", 100.0 * root, three_digits(least), three_digits(largest))
+    format!("{:.0} % {}–{}", 100.0 * root, three_digits(least), three_digits(largest))
 }

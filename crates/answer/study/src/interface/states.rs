@@ -39,6 +39,8 @@ pub struct InterfaceInputs<'r> {
     pub pair: MaterialPair,
     /// The hardness of the softer body \[Pa\], if it yields.
     pub hardness_pa: Option<f64>,
+    /// True if the hardness grows at small scales: gap and stiffness are then those of elastic peaks.
+    pub hardness_grows: bool,
     /// The nominal pressures.
     pub pressures: Vec<NominalPressure>,
 }
@@ -176,6 +178,14 @@ impl<'a> InterfaceStates<'a> {
         Self::from_parts(self.request, inputs, Arc::clone(&self.elastic), self.known_spots())
     }
 
+    /// Takes a hardness that does not grow at small scales, and shares all else.
+    #[must_use]
+    pub fn at_constant_hardness(&self) -> Self {
+        let inputs = InterfaceInputs { hardness_grows: false, ..self.inputs.clone() };
+        let spots = vec![SpotFactor::new(); inputs.pressures.len()];
+        Self::from_parts(self.request, inputs, Arc::clone(&self.elastic), spots)
+    }
+
     /// The spectrum as the theory takes it.
     #[must_use]
     pub fn roughness(&self) -> &Roughness {
@@ -277,10 +287,10 @@ impl<'a> InterfaceStates<'a> {
         Some(areas.plastic / areas.contact())
     }
 
-    /// Returns true if gap and stiffness leave out that peaks flow, as they do on a layer.
+    /// Returns true if gap and stiffness leave out that peaks flow, as they do on a layer and where the hardness grows.
     #[must_use]
     pub fn leaves_out_yielding(&self) -> bool {
-        self.inputs.pair.layer_compliance().is_some()
+        self.inputs.hardness_grows || self.inputs.pair.layer_compliance().is_some()
     }
 
     /// The nominal pressure \[Pa\] from which a seal is closed because its bodies flow: they touch the share p/H at least.
@@ -549,20 +559,23 @@ impl<'a> InterfaceStates<'a> {
 
     /// Gap and stiffness under a load, of elastic peaks, or of those that flow at the hardness; `None` where all has flowed.
     fn separation(&self, load: usize) -> Option<YieldedSeparation> {
-        if self.inputs.hardness_pa.is_none() {
+        let Some(hardness_pa) = self.constant_hardness_pa() else {
             return Some(self.elastic_separation(load).into());
-        }
-        let (pressure_pa, hardness_pa) = (self.pressure_pa(load), self.inputs.hardness_pa?);
-        let find = || self.yielding().at(pressure_pa, hardness_pa, &self.spots[load]);
+        };
+        let find = || self.yielding().at(self.pressure_pa(load), hardness_pa, &self.spots[load]);
         *self.yielded[load].get_or_init(find)
     }
 
     /// Gap under any pressure \[Pa\]; `None` where all has flowed.
     fn gap_at(&self, pressure_pa: f64) -> Option<YieldedGap> {
-        match self.inputs.hardness_pa {
+        match self.constant_hardness_pa() {
             Some(hardness_pa) => self.yielding().gap(pressure_pa, hardness_pa),
             None => Some(YieldedSeparation::from(self.elastic.separation.whole(pressure_pa)).gap),
         }
+    }
+
+    fn constant_hardness_pa(&self) -> Option<f64> {
+        self.inputs.hardness_pa.filter(|_| !self.inputs.hardness_grows)
     }
 
     fn yielding(&self) -> &YieldingLaw {

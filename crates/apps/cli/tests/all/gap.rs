@@ -4,7 +4,8 @@ use std::f64::consts::{E, PI, TAU};
 
 use crate::support::{Bench, column, numbers};
 
-const COLUMNS: &str = "nominal_pressure_pa,area_fraction,mean_gap_m,stiffness_pa_per_m,u0_m,p00_pa";
+const COLUMNS: &str =
+    "nominal_pressure_pa,area_fraction,mean_gap_m,mean_plane_distance_m,stiffness_pa_per_m,u0_m,p00_pa";
 const DIAMOND: [&str; 4] = ["--youngs-modulus", "463GPa", "--poisson-ratio", "0.2"];
 const UNIT: [&str; 4] = ["--youngs-modulus", "1Pa", "--poisson-ratio", "0"];
 
