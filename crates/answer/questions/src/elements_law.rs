@@ -195,6 +195,7 @@ impl ElementsLaw {
             nominal_pressure_pa: pressure_pa,
             area_fraction: self.log_area.at(log).0.exp(),
             mean_gap_m: Some(self.mean_gap_m.at(log).0),
+            mean_plane_distance_m: Some(self.distance_m.at(log).0),
             stiffness_pa_per_m: self.log_stiffness.as_ref().map(|curve| curve.at(log).0.exp()),
         }
     }
