@@ -6,6 +6,8 @@
 //! * [`AsperityLaw`]: the response of one asperity, with its strength, hardness, [`Flattening`] and
 //!   [`InterferenceLaw`].
 //! * [`StatisticalContact`]: population and law under a material; computes states at a separation or at a pressure.
+//! * [`GreenwoodTripp`]: elastic contact of two rough faces, and its fit to any curve of pressure and area.
+//! * [`PartialMoment`]: the integrals F_n of Gaussian heights.
 //! * [`LinearLaw`]: area in proportion to the load, as a yardstick for elastic areas.
 //! * [`Sweep`]: many states of one population and material, which share work.
 //! * [`StateTable`]: states over a range of separations, from polynomials.
@@ -19,6 +21,7 @@ mod condition;
 mod contact;
 mod far;
 mod gaussian;
+mod greenwood_tripp;
 mod linear_law;
 mod population;
 mod quadrature;
@@ -31,6 +34,8 @@ mod table;
 pub use asperities::{AsperityLaw, Flattening, InterferenceLaw};
 pub use condition::Condition;
 pub use contact::StatisticalContact;
+pub use gaussian::moments::PartialMoment;
+pub use greenwood_tripp::{GreenwoodTripp, GreenwoodTrippFit, SeparationPoint};
 pub use linear_law::LinearLaw;
 pub use population::Population;
 pub use state::{ContactState, NoSeparation};

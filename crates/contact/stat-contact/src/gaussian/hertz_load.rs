@@ -10,10 +10,8 @@ use super::polynomial::value_and_slope;
 /// Returns I(u), for positive u over exp(-u^2/2), and the mean of the height u + s under its weight.
 pub(crate) fn load_and_mean_height(u: f64) -> (f64, f64) {
     if u >= 0.0 {
-        let (value, slope) = value_and_slope(&NEAR, (u - 3.0) / (u + 3.0));
-        let distance = 1.0 + u;
-        let log_slope = slope / value * 6.0 / ((u + 3.0) * (u + 3.0)) - 2.5 / distance;
-        return (value / (distance * distance * distance.sqrt()), u - log_slope);
+        let (load, mean_interference) = load_and_mean_interference(u);
+        return (load, u + mean_interference);
     }
     if u < -9.0 {
         let (value, slope) = value_and_slope(&FAR, 81.0 / (u * u));
@@ -29,6 +27,19 @@ pub(crate) fn load_and_mean_height(u: f64) -> (f64, f64) {
         value_and_slope(&FROM_6_TO_9, t(7.5))
     };
     (value, slope / (value * HALF_WIDTH))
+}
+
+/// Returns I(u), for positive u over exp(-u^2/2), and the mean of the interference s under its weight: F_5/2 over F_3/2. For
+/// positive u it is -d/du of the logarithm of what is returned.
+pub(crate) fn load_and_mean_interference(u: f64) -> (f64, f64) {
+    if u < 0.0 {
+        let (load, mean_height) = load_and_mean_height(u);
+        return (load, mean_height - u);
+    }
+    let (value, slope) = value_and_slope(&NEAR, (u - 3.0) / (u + 3.0));
+    let distance = 1.0 + u;
+    let log_slope = slope / value * 6.0 / ((u + 3.0) * (u + 3.0)) - 2.5 / distance;
+    (value / (distance * distance * distance.sqrt()), -log_slope)
 }
 
 #[cfg(test)]

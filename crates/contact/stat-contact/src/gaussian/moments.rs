@@ -1,8 +1,55 @@
-//! The first moment of the heights in contact, in closed form: the area of Hertz's spheres.
+//! Moments of the heights above a separation, in closed form: areas and loads of spheres, on one face and on two.
 
 use super::coefficients::FIRST_MOMENT;
-use super::density::DENSITY_SCALE;
-use super::polynomial::value;
+use super::density::{DENSITY_SCALE, reference_density, tail};
+use super::hertz_load::load_and_mean_interference;
+use super::polynomial::{value, value_and_slope};
+
+/// Order n of an upper partial moment of Gaussian heights, F_n(x) = Int_x^inf (s - x)^n phi(s) ds with the standard normal density
+/// phi (Greenwood & Williamson 1966; Greenwood & Tripp 1970).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PartialMoment {
+    /// F_0: the share of the heights above the separation.
+    Zeroth,
+    /// F_1: the area of spheres.
+    First,
+    /// F_3/2: the load of elastic spheres.
+    ThreeHalves,
+    /// F_2: the area of the spheres of two faces that meet off their axes.
+    Second,
+    /// F_5/2: the load of these.
+    FiveHalves,
+}
+
+impl PartialMoment {
+    /// Computes F_n(x) of a finite separation x in standard deviations, with a relative error below 1e-13 where it does not
+    /// underflow.
+    #[must_use]
+    pub fn above(self, x: f64) -> f64 {
+        let over_reference = match self {
+            PartialMoment::Zeroth => tail(x, 0.0),
+            PartialMoment::First => first_moment(x),
+            PartialMoment::ThreeHalves => DENSITY_SCALE * load_and_mean_interference(x).0,
+            PartialMoment::Second => second_moment(x),
+            PartialMoment::FiveHalves => {
+                let (load, mean_interference) = load_and_mean_interference(x);
+                DENSITY_SCALE * load * mean_interference
+            }
+        };
+        over_reference * reference_density(x)
+    }
+}
+
+/// F_2 over the reference density: F_0 - u F_1, which cancels for u > 0. There it is -d/du of F_1 over the reference density.
+fn second_moment(u: f64) -> f64 {
+    if u < 0.0 {
+        return tail(u, 0.0) - u * first_moment(u);
+    }
+    let (series, slope) = value_and_slope(&FIRST_MOMENT, (u - 5.0) / (u + 5.0));
+    let distance = 1.0 + u;
+    let fall = 2.0 * series / distance - slope * 10.0 / ((u + 5.0) * (u + 5.0));
+    DENSITY_SCALE * fall / (distance * distance)
+}
 
 /// Integral of s exp(-(u+s)^2/2)/sqrt(2 pi) over all s from 0 on, over the reference density: phi(u) - u Q(u), which
 /// equals its value at -u, less u. Relative error within 1e-16 for u >= 0.
