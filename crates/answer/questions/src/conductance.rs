@@ -146,6 +146,12 @@ impl LawTableQuestion {
         filled
     }
 
+    /// Options that tables of other quantities have, and whether they are given.
+    pub(crate) fn options_of_tables(&self) -> impl Iterator<Item = (&'static str, bool)> {
+        let of_law = [("form", self.form.is_some()), ("name", self.name.is_some())];
+        of_law.into_iter().chain(self.transport.foreign(None)).chain(self.gas.options())
+    }
+
     /// Finds options without effect, and input that contradicts itself or is missing.
     ///
     /// # Errors

@@ -165,7 +165,7 @@ impl FoundLaw {
 
 impl GapModel {
     /// Refuses options that the model ignores.
-    fn check(&self) -> Result<(), QuestionError> {
+    pub(crate) fn check(&self) -> Result<(), QuestionError> {
         let options = &self.options;
         let Some(entry) = self.model else {
             let given = [

@@ -16,6 +16,7 @@ mod gap;
 mod indenter;
 mod layer;
 mod loads;
+mod lubrication;
 mod map_question;
 mod material;
 mod note;
@@ -43,6 +44,7 @@ pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion, remarks_on_
 pub use indenter::{IndenterQuestion, PreparedIndenter};
 pub use layer::LayerInput;
 pub use loads::LoadInput;
+pub use lubrication::{FoundLubrication, LubricationQuestion, LubricationRange, SummitInput};
 pub use map_question::{MapQuestion, relief, relief_of_map};
 pub use material::{BodyInput, MaterialInput};
 pub use note::{remark_on_sampling, remarks_on_separation};

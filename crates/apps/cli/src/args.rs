@@ -201,6 +201,12 @@ there the pressure is set to 0. There are as many rows as keep the pressure on
 the straight lines between them within --error from the least pressure on. What
 has to be known for it to be used stands in comment lines.
 
+--quantity asperity-pressure writes a table for solvers of mixed lubrication:
+nominal_pressure_pa, area_fraction, mean_gap_m, nominal_separation_m (of the
+mean planes), separation_over_rms_height, pressure and area of the nearest
+Greenwood-Tripp law, and flow factors over mean_gap_m^3; a row per separation,
+rising. PSD may then be a scene, or --summit-density and two more numbers.
+
 Examples:
   truearea law psd.csv --model persson --dialect abaqus --units N-mm \\
       --pressure-range 10kPa:100MPa --youngs-modulus 463GPa --poisson-ratio 0.2 \\
@@ -208,7 +214,9 @@ Examples:
   truearea law psd.csv --model hertz --dialect calculix --units N-mm \\
       --pressure-range 10kPa:100MPa --youngs-modulus 463GPa --poisson-ratio 0.2
   truearea law psd.csv --model persson --dialect calculix --form exponential \\
-      --pressure-range 1kPa:1MPa --youngs-modulus 463GPa --poisson-ratio 0.2")]
+      --pressure-range 1kPa:1MPa --youngs-modulus 463GPa --poisson-ratio 0.2
+  truearea law psd.csv --model bem --quantity asperity-pressure --dialect csv \\
+      --separation-range 0.5:3 --material 100Cr6 --on 100Cr6")]
     Law(Box<LawArgs>),
     /// Contact area by boundary elements: of a map as scanned, or of random surfaces of a spectrum
     #[command(after_help = "\

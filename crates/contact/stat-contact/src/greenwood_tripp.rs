@@ -7,7 +7,7 @@ use asperity::{AsperityError, Bound};
 
 use crate::{PartialMoment, Population};
 
-/// Two rough faces whose spherical summits meet off their axes, both of eta summits per area and of the radius beta; sigma is the
+/// Two alike rough faces whose spherical summits meet off their axes, each of eta summits per area with the radius beta; sigma is the
 /// standard deviation of the sum of their summit heights. With the separation h of the mean planes of the summits,
 ///
 /// p = (16 sqrt(2) pi/15) (eta beta sigma)^2 sqrt(sigma/beta) E* F_5/2(h/sigma),  A/A_n = pi^2 (eta beta sigma)^2 F_2(h/sigma).
@@ -15,10 +15,8 @@ use crate::{PartialMoment, Population};
 /// A rough face on a smooth one follows Greenwood & Williamson instead: [`StatisticalContact`](crate::StatisticalContact).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GreenwoodTripp {
-    density_per_m2: f64,
-    radius_m: f64,
-    sigma_m: f64,
     contact_modulus_pa: f64,
+    summits: Population,
 }
 
 /// Pressure and area of a contact at a separation.
@@ -50,20 +48,14 @@ impl GreenwoodTripp {
     /// Separations over sigma that count in a [`fit`](Self::fit).
     pub const FITTED: RangeInclusive<f64> = 0.5..=3.0;
 
-    /// Creates the contact of two alike faces: a contact modulus E* \[Pa\], 1/E* the sum of (1 - nu^2)/E over both, eta summits per
-    /// area of each \[m^-2\], the radius beta of these \[m\], and sigma of both together \[m\].
+    /// Creates the contact of two alike faces under a contact modulus E* \[Pa\], 1/E* the sum of (1 - nu^2)/E over both; `summits` has
+    /// eta and beta of each face, and sigma of both together.
     ///
     /// # Errors
-    /// [`AsperityError`] unless all are positive and within thirty decades of 1 ([`Bound::Magnitude`]).
-    pub fn new(
-        contact_modulus_pa: f64,
-        density_per_m2: f64,
-        radius_m: f64,
-        sigma_m: f64,
-    ) -> Result<Self, AsperityError> {
-        let alike = Population::new(radius_m, density_per_m2, sigma_m)?;
+    /// [`AsperityError`] for a modulus that is not positive and within thirty decades of 1 ([`Bound::Magnitude`]).
+    pub fn new(contact_modulus_pa: f64, summits: Population) -> Result<Self, AsperityError> {
         Bound::Magnitude.check("contact modulus in Pa", contact_modulus_pa)?;
-        Ok(Self::unchecked(contact_modulus_pa, alike.density_per_m2(), alike.radius_m(), sigma_m))
+        Ok(GreenwoodTripp { contact_modulus_pa, summits })
     }
 
     /// Creates the contact of two alike faces from the summits of their sum, which is one equivalent rough face on a plane. Each face
@@ -71,30 +63,31 @@ impl GreenwoodTripp {
     /// of both together is that of the sum.
     ///
     /// # Errors
-    /// [`AsperityError`] for a contact modulus \[Pa\] out of its bounds.
+    /// [`AsperityError`] for values out of their bounds.
     pub fn from_sum(contact_modulus_pa: f64, sum: &Population) -> Result<Self, AsperityError> {
-        Self::new(contact_modulus_pa, sum.density_per_m2(), SQRT_2 * sum.radius_m(), sum.sigma_s_m())
+        let summits = Population::new(SQRT_2 * sum.radius_m(), sum.density_per_m2(), sum.sigma_s_m())?;
+        Self::new(contact_modulus_pa, summits)
     }
 
-    /// Creates the contact of two faces. Where summits of the radii beta_1 and beta_2 meet at a distance r, they overlap by
+    /// Creates the contact of two different faces. Where summits of the radii beta_1 and beta_2 meet at a distance r, they overlap by
     /// r^2/(2 (beta_1 + beta_2)) less, and touch like a sphere of the radius beta_1 beta_2/(beta_1 + beta_2). Pressure and area are
     /// those of two alike faces with beta = 2 beta_1 beta_2/(beta_1 + beta_2), (eta beta)^2 = eta_1 beta_1 eta_2 beta_2 and
     /// sigma^2 = sigma_1^2 + sigma_2^2.
     ///
     /// # Errors
-    /// [`AsperityError`] for a contact modulus \[Pa\] out of its bounds.
+    /// [`AsperityError`] for values out of their bounds.
     pub fn from_faces(contact_modulus_pa: f64, faces: [&Population; 2]) -> Result<Self, AsperityError> {
-        let [one, other] = faces.map(Population::radius_m);
-        let radius_m = 2.0 / (1.0 / one + 1.0 / other);
+        let radius_m = 2.0 / faces.map(|face| 1.0 / face.radius_m()).iter().sum::<f64>();
         let [first, second] = faces.map(|face| (face.density_per_m2() * face.radius_m()).sqrt());
         let [sigma_1_m, sigma_2_m] = faces.map(Population::sigma_s_m);
-        Self::new(contact_modulus_pa, first * second / radius_m, radius_m, sigma_1_m.hypot(sigma_2_m))
+        let summits = Population::new(radius_m, first * second / radius_m, sigma_1_m.hypot(sigma_2_m))?;
+        Self::new(contact_modulus_pa, summits)
     }
 
-    /// Fits the law to a curve of pressure and area by least squares of both logarithms, each point with the range of h/sigma that it
-    /// stands for as weight; points outside of [`FITTED`](Self::FITTED) do not count. `sigma_m` \[m\] is that of the curve and is not
-    /// fitted: the amplitude of the area is (eta beta sigma)^2, that of the pressure (eta beta sigma)^2 sqrt(sigma/beta) E*.
-    /// Pressures alone have this amplitude and no eta or beta; eta and beta follow from both amplitudes and sigma.
+    /// Fits the law to a curve by least squares of the logarithms of pressure and area, each point with the range of h/sigma that it
+    /// stands for as weight; points outside of [`FITTED`](Self::FITTED) do not count. `sigma_m` \[m\] is known and not fitted: the
+    /// amplitude of the area is (eta beta sigma)^2, that of the pressure (eta beta sigma)^2 sqrt(sigma/beta) E*. Pressures alone have
+    /// neither eta nor beta; both follow from both amplitudes and sigma.
     ///
     /// `None` for fewer than two separations in the range, and amplitudes out of bounds.
     #[must_use]
@@ -103,78 +96,57 @@ impl GreenwoodTripp {
         sigma_m: f64,
         points: &[SeparationPoint],
     ) -> Option<GreenwoodTrippFit> {
-        let over_sigma = |point: &SeparationPoint| point.separation_m / sigma_m;
-        let mut counted: Vec<&SeparationPoint> =
-            points.iter().filter(|point| Self::FITTED.contains(&over_sigma(point))).collect();
+        let place = |point: &SeparationPoint| point.separation_m / sigma_m;
+        let mut counted: Vec<_> =
+            points.iter().filter(|point| Self::FITTED.contains(&place(point))).collect();
         counted.sort_by(|one, other| one.separation_m.total_cmp(&other.separation_m));
-        let places: Vec<f64> = counted.iter().map(|point| over_sigma(point)).collect();
-        let [least, most] = [*places.first()?, *places.last()?];
-        let last = places.len() - 1;
-        let weight = |at: usize| 0.5 * (places[(at + 1).min(last)] - places[at.saturating_sub(1)]);
+        let range = [place(counted.first()?), place(counted.last()?)];
+        let last = counted.len() - 1;
         let mean = |of: &dyn Fn(&SeparationPoint) -> f64| {
-            let sum: f64 = counted.iter().enumerate().map(|(at, point)| weight(at) * of(point)).sum();
-            sum / (most - least)
+            let weighted = (0..=last).map(|at| {
+                let apart = place(counted[(at + 1).min(last)]) - place(counted[at.saturating_sub(1)]);
+                0.5 * apart * of(counted[at])
+            });
+            weighted.sum::<f64>() / (range[1] - range[0])
         };
-        let unit = Self::unchecked(contact_modulus_pa, 1.0 / (sigma_m * sigma_m), sigma_m, sigma_m);
-        let ln_pressure = mean(&|point| (point.pressure_pa / unit.pressure_pa(point.separation_m)).ln());
-        let ln_area = mean(&|point| (point.area_fraction / unit.area_fraction(point.separation_m)).ln());
-        let radius_m = sigma_m * (2.0 * (ln_area - ln_pressure)).exp();
-        let density_per_m2 = (0.5 * ln_area).exp() / (radius_m * sigma_m);
-        let law = Self::new(contact_modulus_pa, density_per_m2, radius_m, sigma_m).ok()?;
-        let errors = |of: &dyn Fn(&SeparationPoint) -> f64| {
-            let largest = counted.iter().map(|point| of(point).abs()).fold(0.0, f64::max);
-            [mean(&|point| of(point).powi(2)).sqrt(), largest]
+        let pressure = |law: &Self, point: &SeparationPoint| {
+            (law.pressure_pa(point.separation_m) / point.pressure_pa).ln()
         };
-        Some(GreenwoodTrippFit {
-            law,
-            range: [least, most],
-            ln_pressure_errors: errors(&|point| {
-                (law.pressure_pa(point.separation_m) / point.pressure_pa).ln()
-            }),
-            ln_area_errors: errors(&|point| {
-                (law.area_fraction(point.separation_m) / point.area_fraction).ln()
-            }),
-        })
+        let area = |law: &Self, point: &SeparationPoint| {
+            (law.area_fraction(point.separation_m) / point.area_fraction).ln()
+        };
+        let unit =
+            Self::new(contact_modulus_pa, Population::new(sigma_m, sigma_m.powi(-2), sigma_m).ok()?).ok()?;
+        let [ln_pressure, ln_area] =
+            [mean(&|point| pressure(&unit, point)), mean(&|point| area(&unit, point))];
+        let radius_m = sigma_m * (2.0 * (ln_pressure - ln_area)).exp();
+        let density_per_m2 = (-0.5 * ln_area).exp() / (radius_m * sigma_m);
+        let law =
+            Self::new(contact_modulus_pa, Population::new(radius_m, density_per_m2, sigma_m).ok()?).ok()?;
+        let errors = |of: &dyn Fn(&Self, &SeparationPoint) -> f64| {
+            let largest = counted.iter().map(|point| of(&law, point).abs()).fold(0.0, f64::max);
+            [mean(&|point| of(&law, point).powi(2)).sqrt(), largest]
+        };
+        let [ln_pressure_errors, ln_area_errors] = [errors(&pressure), errors(&area)];
+        Some(GreenwoodTrippFit { law, range, ln_pressure_errors, ln_area_errors })
     }
 
-    fn unchecked(contact_modulus_pa: f64, density_per_m2: f64, radius_m: f64, sigma_m: f64) -> Self {
-        GreenwoodTripp { density_per_m2, radius_m, sigma_m, contact_modulus_pa }
-    }
-
-    /// Summits per area of each face, eta \[m^-2\].
+    /// Summits of each face, with sigma of both together.
     #[must_use]
-    pub fn density_per_m2(&self) -> f64 {
-        self.density_per_m2
-    }
-
-    /// Radius of the summits of each face, beta \[m\].
-    #[must_use]
-    pub fn radius_m(&self) -> f64 {
-        self.radius_m
-    }
-
-    /// Standard deviation of the sum of the summit heights, sigma \[m\].
-    #[must_use]
-    pub fn sigma_m(&self) -> f64 {
-        self.sigma_m
-    }
-
-    /// Contact modulus E* \[Pa\], 1/E* the sum of (1 - nu^2)/E over both bodies.
-    #[must_use]
-    pub fn contact_modulus_pa(&self) -> f64 {
-        self.contact_modulus_pa
+    pub fn summits(&self) -> &Population {
+        &self.summits
     }
 
     /// The product eta beta sigma.
     #[must_use]
     pub fn density_radius_sigma(&self) -> f64 {
-        self.density_per_m2 * self.radius_m * self.sigma_m
+        self.summits.density_per_m2() * self.summits.radius_m() * self.summits.sigma_s_m()
     }
 
     /// The ratio sigma/beta.
     #[must_use]
     pub fn sigma_over_radius(&self) -> f64 {
-        self.sigma_m / self.radius_m
+        self.summits.sigma_s_m() / self.summits.radius_m()
     }
 
     /// Computes the nominal pressure \[Pa\] at a finite separation h \[m\] of either sign.
@@ -182,13 +154,15 @@ impl GreenwoodTripp {
     pub fn pressure_pa(&self, separation_m: f64) -> f64 {
         let amplitude =
             16.0 * SQRT_2 * PI / 15.0 * self.density_radius_sigma().powi(2) * self.sigma_over_radius().sqrt();
-        amplitude * self.contact_modulus_pa * PartialMoment::FiveHalves.above(separation_m / self.sigma_m)
+        let moment = PartialMoment::FiveHalves.above(separation_m / self.summits.sigma_s_m());
+        amplitude * self.contact_modulus_pa * moment
     }
 
     /// Computes the real over the nominal area at a finite separation h \[m\] of either sign. It is not limited to 1: beyond some
     /// hundredths neighbouring spots meet, which the law leaves out.
     #[must_use]
     pub fn area_fraction(&self, separation_m: f64) -> f64 {
-        (PI * self.density_radius_sigma()).powi(2) * PartialMoment::Second.above(separation_m / self.sigma_m)
+        let moment = PartialMoment::Second.above(separation_m / self.summits.sigma_s_m());
+        (PI * self.density_radius_sigma()).powi(2) * moment
     }
 }

@@ -10,6 +10,7 @@ mod elements_laws;
 mod flow;
 mod indenters;
 mod laws;
+mod lubrication;
 mod rows;
 mod scenes;
 mod tangential;

@@ -1,5 +1,7 @@
 //! Options of `gap`, `law` and `tangential`.
 
+mod lubrication;
+
 use clap::Args as ClapArgs;
 use clap::builder::TypedValueParser;
 use interface::finite_elements::{ContactLaw, Dialect, Heading, UnitSystem};
@@ -14,6 +16,7 @@ use study::models::{self, ModelEntry, ModelOptions};
 use study::plan::Tolerance;
 use units::{Length, Pressure, Resistivity, Temperature, ThermalConductivity};
 
+use self::lubrication::{LawQuantityArg, LubricationArgs, law_quantity};
 use super::bem::RandomArgs;
 use super::parsers::{ModelName, one_of, parse_tolerance};
 use super::{HardnessFormulaArg, MaterialArgs, NormalisationArg, PressureArgs, PsdArgs, SamplingArgs};
@@ -160,15 +163,18 @@ pub(crate) struct ShearFigureArg {
 }
 
 #[derive(Debug, ClapArgs)]
+#[command(mut_arg("psd", |psd| psd.required(false).required_unless_present("summit_density")))]
 pub(crate) struct LawArgs {
     #[command(flatten)]
     pub psd: PsdArgs,
-    /// Model behind the law: Persson's theory, a law of asperities, or boundary elements, which yield; for conductances also a correlation for flowed peaks
-    #[arg(long, value_parser = law_model())]
-    pub model: LawModelArg,
-    /// Quantity of the law: pressure over overclosure, or the conductance of heat or current over pressure
-    #[arg(long, value_parser = one_of::<LawQuantity, _>(LawQuantity::ALL), default_value = LawQuantity::Pressure.name())]
-    pub quantity: LawQuantity,
+    /// Model behind the law: Persson's theory, a law of asperities, or boundary elements, which yield; for conductances also a
+    /// correlation for flowed peaks
+    #[arg(long, value_parser = law_model(), required_unless_present = "summit_density")]
+    pub model: Option<LawModelArg>,
+    /// Quantity of the law: pressure over overclosure, the conductance of heat or current over pressure, or pressure and area over
+    /// the separation of two faces for mixed lubrication
+    #[arg(long, value_parser = law_quantity(), default_value = LawQuantity::Pressure.name())]
+    pub quantity: LawQuantityArg,
     /// Finite element program that reads the law
     #[arg(long, value_parser = one_of::<Dialect, _>(Dialect::ALL))]
     pub dialect: Dialect,
@@ -176,8 +182,8 @@ pub(crate) struct LawArgs {
     #[arg(long, value_parser = one_of::<UnitSystem, _>(UnitSystem::ALL), default_value = "SI")]
     pub units: UnitSystem,
     /// The least and the largest nominal pressure of interest
-    #[arg(long, value_name = "FROM:TO", value_parser = parse_range, allow_hyphen_values = true)]
-    pub pressure_range: [Pressure; 2],
+    #[arg(long, value_name = "FROM:TO", value_parser = parse_range, allow_hyphen_values = true, required_unless_present = "separation_range")]
+    pub pressure_range: Option<[Pressure; 2]>,
     /// The largest relative error of the pressure, or of the conductance, on the straight lines between the rows
     #[arg(long, value_name = "E", default_value_t = ContactLaw::TOLERANCE)]
     pub error: f64,
@@ -194,6 +200,8 @@ pub(crate) struct LawArgs {
     pub gas: GasArgs,
     #[command(flatten)]
     pub choices: GapChoiceArgs,
+    #[command(flatten)]
+    pub lubrication: LubricationArgs,
     #[command(flatten)]
     pub random: RandomArgs,
 }
@@ -263,7 +271,7 @@ impl GasArgs {
 impl LawArgs {
     /// The question of boundary elements, if they are the model.
     pub fn elements(&self) -> Option<ElementsLawQuestion> {
-        let is_elements = matches!(self.model, LawModelArg::Elements);
+        let is_elements = matches!(self.model, Some(LawModelArg::Elements));
         is_elements.then(|| ElementsLawQuestion {
             table: self.question(),
             random: self.random.input(),
@@ -271,18 +279,19 @@ impl LawArgs {
         })
     }
 
-    /// The question that these options ask.
+    /// The question of a table for finite elements that these options ask.
     pub fn question(&self) -> LawTableQuestion {
         let (model, correlation) = match self.model {
-            LawModelArg::Gap(entry) => (Some(entry), None),
-            LawModelArg::Elements => (None, None),
-            LawModelArg::Correlation(correlation) => (None, Some(correlation)),
+            Some(LawModelArg::Gap(entry)) => (Some(entry), None),
+            Some(LawModelArg::Correlation(correlation)) => (None, Some(correlation)),
+            Some(LawModelArg::Elements) | None => (None, None),
         };
-        let [from, to] = self.pressure_range;
+        let LawQuestion { from, to, .. } = LawQuestion::default();
+        let [from, to] = self.pressure_range.unwrap_or([from, to]);
         let named = &self.choices.material.bodies.named;
         let question = LawTableQuestion {
             law: LawQuestion { by: self.choices.input(model), from, to },
-            quantity: self.quantity,
+            quantity: self.table_quantity().unwrap_or_default(),
             correlation,
             transport: self.transport.input(),
             gas: self.gas.input(),

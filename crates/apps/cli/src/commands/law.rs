@@ -1,5 +1,7 @@
 //! `law`: pressure against overclosure, and conductance against pressure, for finite elements.
 
+mod lubrication;
+
 use interface::finite_elements::{Dialect, Heading};
 use questions::{ElementsLawAnswer, ElementsLawQuestion, LawAnswer, LawForm, PlasticCorrelation};
 use report::provenance::provenance;
@@ -27,6 +29,9 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             "--format json does not affect `law`, which writes what --dialect says; leave it out",
         ));
     }
+    let Some(quantity) = args.table_quantity() else { return lubrication::run(args, context) };
+    let other = Remark::new(RemarkCode::OtherQuantity).with("quantity", quantity.name());
+    refuse_first(args.of_lubrication(), other)?;
     let (question, elements) = (args.question(), args.elements());
     elements.as_ref().map_or_else(|| question.check(), ElementsLawQuestion::check)?;
     memory::refuse_beyond(args.random.grid)?;

@@ -16,6 +16,7 @@ mod idle;
 mod inputs;
 mod instruments;
 mod layers;
+mod lubrication;
 mod messages;
 #[path = "../../../../surface/scans/tests/all/support/nanoscope.rs"]
 #[allow(dead_code, reason = "written for the tests of the reader")]

@@ -28,6 +28,7 @@ const IDLE_BY_RIGHT: &[(&str, &str, &str)] = &[
         "the model needs it, and light loads are those of the elastic theory",
     ),
     ("--form exponential", "indentation_hardness", "likewise"),
+    ("--summit-density", "provenance", "comments are always there, and no path is typed"),
     (
         "flow in/map.txt",
         "size",
@@ -95,6 +96,26 @@ const WALKS: &[Walk] = &[
         "law",
         "in/psd.csv --pressure-range 1MPa:50MPa --error 0.1 --model hertz --material silver",
         &[&["--dialect *"]],
+    ),
+    (
+        "law",
+        "in/psd.csv --quantity asperity-pressure --dialect csv --separation-range 0.5:3",
+        &[
+            &["--model persson", "--model hertz", "--model bem --grid 32 --realisations 1 --shortest 2um"],
+            BODIES,
+        ],
+    ),
+    (
+        "law",
+        "--quantity asperity-pressure --dialect csv --separation-range 0.5:3 --summit-density 1e12/m^2 --summit-radius 1um \
+         --rms-height 10nm",
+        &[BODIES],
+    ),
+    (
+        "law",
+        "map.txt:unit=um,size=10um --model bem --as-scanned --material silver --quantity asperity-pressure --dialect csv \
+         --pressure-range 1MPa:50MPa",
+        &[],
     ),
     ("bem", "psd.csv --grid 32 --realisations 1 --shortest 2um", &[BODIES, PRESSED]),
     ("bem", "map.txt --unit um --size 10um", &[BODIES, PRESSED]),
@@ -179,6 +200,10 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("pressure", ["20MPa", "80MPa"]),
     ("pressure_ranges", ["10MPa:60MPa:2", "1MPa:60MPa:2"]),
     ("pressure_range", ["2MPa:40MPa", "1MPa:10MPa"]),
+    ("separation_range", ["0.6:2", "1:2.5"]),
+    ("summit_density", ["2e12/m^2", "5e11/m^2"]),
+    ("summit_radius", ["2um", "500nm"]),
+    ("rms_height", ["20nm", "5nm"]),
     ("gas_pressure", ["10kPa", "1MPa"]),
     ("gas", ["air", "helium"]),
     ("gas_temperature", ["400K", "500K"]),

@@ -1,0 +1,214 @@
+//! Rows of boundary elements, and flow through their gaps and those of Persson's theory.
+
+use elements::{Approach, Boundary, ElementsError, ImposedLoad, PressedLoad, Pressing, Surfaces};
+use interface::leak::SealedJoint;
+use interface::sealed_fluid::SealedFluid;
+use numerics::parallel::Progress;
+use persson::corrections::Correction;
+use persson::sealing::{PercolationThreshold, SealingLaw};
+use persson::{EnergyFactor, Roughness, SealFlow};
+use spectrum::Moments;
+use stat_contact::SeparationPoint;
+use study::material::Material;
+use study::surface::Surface;
+use units::Remark;
+use units::display::{counted, length, percent, pressure};
+
+use super::card::Card;
+use super::{LubricationQuestion, LubricationRange, SurfaceRow, evenly, pressures_pa};
+use crate::QuestionError;
+use crate::elements::{notes_on_maps, notes_on_spectrum, random_surfaces, remarks_on_pressed};
+use crate::map_question::relief;
+
+/// Rows, under each of which every surface is pressed.
+const ROWS: u32 = 11;
+/// Share of the height of the highest point from which on hardly a point touches.
+const NEARLY_APART: f64 = 0.97;
+/// Least area of the flows that the medium of Persson's gaps was compared with (`docs/develop/trials.md`).
+const LEAST_TRIED_AREA: f64 = 0.02;
+/// Length of a wave over the side of the seal whose range of flow is taken.
+const WAVE: f64 = 0.1;
+const NO_MAP: &str = "the surface holds no map to press as scanned; give the scan of a map";
+
+/// Flow through the effective medium of Persson's gaps.
+pub(super) struct SealedFlow {
+    law: SealingLaw,
+    flow: SealFlow,
+}
+
+impl SealedFlow {
+    pub fn new(roughness: &Roughness, modulus_pa: f64, energy_factor: EnergyFactor) -> Self {
+        // Seals take this correction as well.
+        let (correction, threshold) = (Some(Correction::AlgebraicNayak), PercolationThreshold::default());
+        let law = SealingLaw::new(roughness, modulus_pa, energy_factor, correction, threshold);
+        SealedFlow { flow: SealFlow::new(&law), law }
+    }
+
+    /// Flow factors of a surface whose mean gap is the separation; `None` for contacts lighter than any flow that was tried.
+    pub fn factors(&self, point: &SeparationPoint) -> Option<[f64; 4]> {
+        let &SeparationPoint { separation_m, pressure_pa, .. } = point;
+        let area_fraction = self.law.area_fraction(pressure_pa);
+        if area_fraction < LEAST_TRIED_AREA {
+            return None;
+        }
+        let Some(found) = self.flow.conductance(pressure_pa / self.law.tight_pressure_pa(), separation_m)
+        else {
+            return Some([0.0; 4]);
+        };
+        let joint =
+            SealedJoint::new(1.0, 1.0, 1.0, SealedFluid::Incompressible { viscosity_pa_s: 1.0 }).ok()?;
+        let rate = joint.leak_rate([found.medium_m3, found.parallel_m3], area_fraction, WAVE);
+        let slot = joint.rate_m3_per_s(separation_m.powi(3));
+        let medium = found.medium_m3 / separation_m.powi(3);
+        Some([medium, medium, rate.low_m3_per_s / slot, rate.high_m3_per_s / slot])
+    }
+}
+
+impl LubricationQuestion {
+    /// Rows of boundary elements, with the moments of the band of random surfaces.
+    pub(super) fn pressed(
+        &self,
+        material: &Material,
+        surface: &Surface,
+        progress: &dyn Progress,
+    ) -> Result<(Card, Option<Moments>), QuestionError> {
+        let saturation_pa = material.hardness_pa();
+        let mut pressing = Pressing { saturation_pa, ..Pressing::between(&material.pair) };
+        let mut band = None;
+        let (surfaces, mut notes, source) = if self.as_scanned {
+            let boundary = |periodic| if periodic { Boundary::Periodic } else { Boundary::Free };
+            let maps = surface.maps().iter();
+            let maps = maps.map(|patch| relief(&patch.map, patch.heights_m(), boundary(patch.is_periodic)));
+            let maps: Vec<_> = maps.collect();
+            let first = maps.first().ok_or_else(|| QuestionError::Other(NO_MAP.to_owned()))?;
+            let source = format!(
+                "{} as scanned, of {} x {} points",
+                counted(maps.len(), "map"),
+                first.columns,
+                first.rows
+            );
+            let notes = notes_on_maps(material, &maps);
+            (Surfaces::Maps(maps), notes, source)
+        } else {
+            let (random, made) = random_surfaces(surface, &self.random, &pressing)?;
+            band = Some(random.band.moments());
+            let ends = [random.band.longest_m(), random.band.shortest_m()];
+            let [longest, shortest] = ends.map(length);
+            let surfaces = counted(random.realisations, "random surface");
+            let source = format!("{surfaces} with the waves from {longest} to {shortest}, which sigma is of");
+            let notes = notes_on_spectrum(material, surface).into_iter().chain(made).collect();
+            (Surfaces::Random(random), notes, source)
+        };
+        let mut lines = vec![format!("Boundary elements: {source}.")];
+        let (rms_height_m, highest_m) = heights_m(&surfaces)?;
+        pressing.loads = match self.range {
+            LubricationRange::Pressures(ends) => {
+                pressures_pa(ends, material, ROWS)?.map(ImposedLoad::PressurePa).collect()
+            }
+            // From far to close, since smaller loads behind larger ones unload nothing.
+            LubricationRange::Separations([from, to]) => evenly([to, from], ROWS)
+                .map(|over_rms| over_rms * rms_height_m)
+                .filter(|separation_m| *separation_m < NEARLY_APART * highest_m)
+                .map(|separation_m| ImposedLoad::Approach(Approach::MeanGapM(separation_m)))
+                .collect(),
+        };
+        let left_out = ROWS as usize - pressing.loads.len();
+        if left_out > 0 {
+            let (rows, highest) = (counted(left_out, "row"), length(highest_m));
+            lines.push(format!("{rows} left out: the least high surface ends {highest} above its mean."));
+        }
+        let (pressed, flows) = press(&surfaces, &pressing, &mut notes, progress)?;
+        lines.push(match saturation_pa {
+            Some(hardness_pa) => {
+                let means = pressed.iter().map(PressedLoad::mean);
+                let flowed = means.map(|mean| mean.plastic_area_fraction / mean.area_fraction).fold(0.0, f64::max);
+                format!(
+                    "Up to {} of the contact flows at H = {}. The separation is the mean gap less the mean depth that has flowed.",
+                    percent(flowed),
+                    pressure(hardness_pa)
+                )
+            }
+            None => "Nothing flows, since no hardness is given, and the separation is the mean gap.".to_owned(),
+        });
+        let row = |(load, flow): (&PressedLoad, Option<[f64; 4]>)| {
+            let mean = load.mean();
+            let point = SeparationPoint {
+                separation_m: mean.mean_gap_m - mean.mean_plastic_depth_m,
+                pressure_pa: load.nominal_pressure_pa,
+                area_fraction: mean.best_area_fraction(),
+            };
+            SurfaceRow { point, mean_gap_m: mean.mean_gap_m, flow }
+        };
+        let rows: Vec<SurfaceRow> = pressed.iter().zip(flows).map(row).collect();
+        notes.extend(remarks_on_pressed(&pressed));
+        let areas = rows.iter().map(|row| (row.point.pressure_pa, row.point.area_fraction));
+        if saturation_pa.is_none() {
+            notes.extend(self.by.doubts(material, areas, None));
+        }
+        let modulus_pa = material.pair.composite_modulus_pa();
+        Ok((Card { rows, rms_height_m, modulus_pa, lines, notes }, band))
+    }
+}
+
+/// Rms height \[m\] of surfaces, and the height over its mean \[m\] of the highest point of the least high one.
+fn heights_m(surfaces: &Surfaces) -> Result<(f64, f64), QuestionError> {
+    let (mut square_m2, mut highest_m) = (0.0, f64::INFINITY);
+    for number in 0..surfaces.count() {
+        let relief = surfaces.relief(number).map_err(ElementsError::from)?;
+        let heights_m = relief.heights_m.iter();
+        let count = heights_m.len() as f64;
+        let mean_m = heights_m.clone().sum::<f64>() / count;
+        square_m2 += heights_m.clone().map(|height_m| (height_m - mean_m).powi(2)).sum::<f64>() / count;
+        highest_m = highest_m.min(heights_m.copied().fold(f64::NEG_INFINITY, f64::max) - mean_m);
+    }
+    let of_all_m2 = match surfaces {
+        Surfaces::Random(random) => random.band.mean_square_height_m2(),
+        _ => square_m2 / surfaces.count() as f64,
+    };
+    Ok((of_all_m2.sqrt(), highest_m))
+}
+
+/// Loads on surfaces, and the flow factors of each.
+type PressedWithFlow = (Vec<PressedLoad>, Vec<Option<[f64; 4]>>);
+
+/// Presses surfaces, and solves the flow through their gaps.
+#[cfg(feature = "transport")]
+fn press(
+    surfaces: &Surfaces,
+    pressing: &Pressing,
+    notes: &mut Vec<Remark>,
+    progress: &dyn Progress,
+) -> Result<PressedWithFlow, QuestionError> {
+    let flow = crate::flow::PressedFlow::new(None, surfaces)?;
+    let see = |field: &elements::ContactField<'_>| flow.solve(field, progress).map(drop);
+    let mut pressed = elements::press::<QuestionError>(surfaces, pressing, see, progress)?;
+    let table = flow.table(&mut pressed, notes, false);
+    let value = |name: &str, row: usize| match table.column(name) {
+        Some(tables::Cells::Numbers(numbers)) => numbers[row].unwrap_or(0.0),
+        _ => 0.0,
+    };
+    let factors = |row: usize| {
+        let along = ["x", "y"].map(|axis| {
+            let [mean, scatter, error] =
+                ["", "_sd", "_error"].map(|end| value(&format!("flow_factor_{axis}{end}"), row));
+            (mean, scatter.hypot(error))
+        });
+        let [low, high] = [-1.0, 1.0].map(|side| along.map(|(mean, off)| (mean + side * off).max(0.0)));
+        Some([along[0].0, along[1].0, low[0].min(low[1]), high[0].max(high[1])])
+    };
+    let flows = (0..pressed.len()).map(factors).collect();
+    Ok((pressed, flows))
+}
+
+/// Presses surfaces; no flow is solved without the crate `transport`.
+#[cfg(not(feature = "transport"))]
+fn press(
+    surfaces: &Surfaces,
+    pressing: &Pressing,
+    _notes: &mut Vec<Remark>,
+    progress: &dyn Progress,
+) -> Result<PressedWithFlow, QuestionError> {
+    let pressed = elements::press::<QuestionError>(surfaces, pressing, |_| Ok(()), progress)?;
+    let flows = vec![None; pressed.len()];
+    Ok((pressed, flows))
+}
