@@ -72,6 +72,7 @@ impl<'py> Arguments<'py> {
             strain_gradient: self.flag("strain_gradient")?,
             hardness: self.hardness_form()?,
             flattening: self.get("flattening", choice)?,
+            summit_heights: self.get("summit_heights", choice)?,
             elastic_plastic_area: self.get("elastic_plastic_area", choice)?,
             interference_law: self.get("interference_law", choice)?,
             correction: self.get("correction", choice)?,
@@ -130,7 +131,8 @@ impl<'py> Arguments<'py> {
 
 /// Returns true for the name of an argument that is an option of models.
 fn is_option(name: &Bound<'_, PyString>) -> bool {
-    let mut of_models = Choice::OF_CURVES.into_iter().chain(Choice::OF_SCENES).map(Choice::key);
+    let all = Choice::OF_CURVES.into_iter().chain(Choice::OF_SCENES).chain([Choice::SummitHeights]);
+    let mut of_models = all.map(Choice::key);
     name.to_str().is_ok_and(|name| of_models.any(|key| key == name))
 }
 

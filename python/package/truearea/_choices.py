@@ -40,6 +40,9 @@ HardnessFormula = Literal["2005", "cosine"]
 Flattening = Literal["area", "area-and-force"]
 """Quantities of flattened spheres that no longer grow."""
 
+SummitHeights = Literal["gaussian", "exponential"]
+"""Distributions of the heights of elastic spheres."""
+
 YieldingAreaLaw = Literal["blended", "elastic-shape"]
 """Areas of scales of a stack that yield."""
 

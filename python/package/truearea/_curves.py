@@ -119,6 +119,8 @@ class StatisticalCurve(Curve):
     ln_pressure_pa: FloatArray
     ln_area_fraction: FloatArray
     flattened_share: FloatArray
+    contacts_per_m2: FloatArray
+    plasticity_index: FloatArray
 
 
 @with_options(StackedOptions)

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         InterferenceLaw,
         Normalisation,
         Phases,
+        SummitHeights,
     )
     from truearea._grammar import AnySurface
     from truearea._material import Quantity
@@ -56,6 +57,7 @@ class Asperities(TypedDict, total=False):
     hardness_formula: HardnessFormula | None
     flattening: Flattening | None
     interference_law: InterferenceLaw | None
+    summit_heights: SummitHeights | None
 
 
 class MeanGap(TypedDict, total=False):
@@ -210,6 +212,9 @@ elastic_plastic_area : {"blended", "elastic-shape"}, optional
     The area of a scale of a stack that yields: the published fit limited to 1, as where left out, or the elastic area at p/p*_ep.
 interference_law : {"rostami-jackson", "bem"}, optional
     The relation between pressure and interference of elastic sinusoids.
+summit_heights : {"gaussian", "exponential"}, optional
+    The distribution of the heights of elastic spheres: Gaussian where left out; exponential ones have the standard deviation
+    sigma_s, and separations from their least height.
 normalisation : {"parseval", "as-printed"}, optional
     The factor of the moments of statistical models: 1/pi, with which m0 is the mean square height; or 1, as Jackson & Jacobs
     print it.

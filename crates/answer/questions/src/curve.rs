@@ -7,6 +7,7 @@ use persson::separation::LightLoads;
 use scene::Scene;
 use serde::{Deserialize, Serialize};
 use spectrum::{AmplitudeDefinition, Normalisation};
+use stat_contact::Population;
 use study::figure::Figure;
 use study::material::Material;
 use study::models::{ModelEntry, ModelOptions};
@@ -15,7 +16,7 @@ use study::plan::{
     PlanError, Sampling, Stream, Tolerance,
 };
 use study::surface::Surface;
-use tables::Table;
+use tables::{Cells, Table};
 use units::{PressureRange, Remark, RemarkCode};
 
 use crate::choices;
@@ -284,6 +285,33 @@ impl<'s> PreparedCurve<'s> {
         Ok(Answer { notes, ..found })
     }
 
+    /// Appends number of contacts and plasticity index to the details of populations; those of every curvature have neither.
+    fn with_contacts(&self, table: Table) -> Table {
+        let model = self.curve().model.statistical();
+        let Some(model) = model.filter(|_| self.details) else { return table };
+        let [radii, densities, sigmas, separations] =
+            ["radius_m", "density_per_m2", "sigma_s_m", "separation_m"].map(|name| {
+                match table.column(name) {
+                    Some(Cells::Numbers(cells)) => cells.clone(),
+                    _ => Vec::new(),
+                }
+            });
+        let populations: Vec<_> = (0..separations.len())
+            .map(|row| {
+                model.law?;
+                Population::new(radii[row]?, densities[row]?, sigmas[row]?).ok()
+            })
+            .collect();
+        let contacts = populations.iter().zip(separations);
+        let contacts = contacts
+            .map(|(of, separation_m)| Some(of.as_ref()?.contacts_per_m2(separation_m?, model.heights)));
+        let table = table.with_numbers("contacts_per_m2", contacts);
+        let modulus_pa = model.pair.composite_modulus_pa();
+        let index =
+            |of: &Option<Population>| Some(of.as_ref()?.plasticity_index(modulus_pa, self.hardness_pa?));
+        table.with_numbers("plasticity_index", populations.iter().map(index))
+    }
+
     fn curve(&self) -> &Curve {
         &self.plan.needs.curves[0]
     }
@@ -361,7 +389,7 @@ impl CurveStream<'_> {
         let details = self.prepared.details;
         self.stream.parts(self.prepared.curve(), progress, |part: Part| {
             remarks.add(&part.rows, &part.pressures_pa);
-            each(part.rows.table(&part.pressures_pa, several, details))
+            each(self.prepared.with_contacts(part.rows.table(&part.pressures_pa, several, details)))
         })?;
         Ok(remarks.notes())
     }
@@ -379,7 +407,7 @@ impl CurveStream<'_> {
         let mut remarks = self.prepared.remarks();
         remarks.add(rows, &pressures_pa);
         let several = needs.load_count() > 1;
-        let table = rows.table(&pressures_pa, several, self.prepared.details);
+        let table = self.prepared.with_contacts(rows.table(&pressures_pa, several, self.prepared.details));
         let figure = self.prepared.figure.then(|| {
             let of = Figure::area_of_all(vec![0]);
             of.data(&results, needs, self.prepared.hardness_pa)

@@ -184,6 +184,8 @@ impl GapModel {
         let of_other_frameworks = [
             ("normalisation", self.normalisation.is_some() && !framework.takes_normalisation()),
             ("tolerance", self.tolerance.is_some() && !framework.has_states()),
+            // Exponential heights have no mean plane of a surface.
+            ("summit_heights", options.summit_heights.is_some()),
         ];
         let of_asperities = [Choice::Hardness, Choice::Interference, Choice::StrainGradient];
         let missing = options.given().filter(|choice| of_asperities.contains(choice) && !entry.has(*choice));

@@ -225,7 +225,7 @@ fn every_name_of_a_choice_is_unique() {
     }
     add!(
         "HardnessFormula": Hardness, "Band": Band, "Correction": Correction, "InterferenceLaw": InterferenceLaw,
-        "Flattening": stat_contact::Flattening, "YieldingAreaLaw": stacked_contact::YieldingAreaLaw,
+        "Flattening": stat_contact::Flattening, "SummitHeights": stat_contact::SummitHeights, "YieldingAreaLaw": stacked_contact::YieldingAreaLaw,
         "Normalisation": Normalisation, "AmplitudeDefinition": AmplitudeDefinition, "Convention": Convention,
         "Abscissa": Abscissa, "Detrend": Detrend, "Window": Window, "Average": Average, "Gaps": GapTreatment,
         "Direction": Direction, "Phases": Phases, "Dialect": Dialect, "UnitSystem": UnitSystem, "LawForm": LawForm,
@@ -290,6 +290,10 @@ fn every_option_that_a_model_ignores_is_found_and_none_that_it_heeds() {
         ModelOptions { hardness: Some(asperity::Hardness::Cosine), ..ModelOptions::default() },
         ModelOptions {
             interference_law: Some(stat_contact::InterferenceLaw::Bem),
+            ..ModelOptions::default()
+        },
+        ModelOptions {
+            summit_heights: Some(stat_contact::SummitHeights::Exponential),
             ..ModelOptions::default()
         },
         ModelOptions { correction: Correction::ALL.first().copied(), ..ModelOptions::default() },

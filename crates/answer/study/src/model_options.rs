@@ -7,7 +7,7 @@ use persson::corrections::Correction;
 use serde::de::MapAccess;
 use serde::{Deserialize, Serialize};
 use stacked_contact::YieldingAreaLaw;
-use stat_contact::{Flattening, InterferenceLaw};
+use stat_contact::{Flattening, InterferenceLaw, SummitHeights};
 
 use crate::choices_in_words;
 use crate::growth_law::GrowthLaw;
@@ -25,6 +25,8 @@ pub enum Choice {
     Hardness,
     /// The quantities of flattened spheres that no longer grow.
     Flattening,
+    /// The distribution of the heights of elastic spheres.
+    SummitHeights,
     /// The area of a scale of a stack that yields.
     #[serde(rename = "elastic_plastic_area")]
     YieldingArea,
@@ -53,6 +55,9 @@ pub struct ModelOptions {
     /// The quantities of flattened spheres that no longer grow.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flattening: Option<Flattening>,
+    /// The distribution of the heights of elastic spheres.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub summit_heights: Option<SummitHeights>,
     /// The area of scales of a stack that yield.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub elastic_plastic_area: Option<YieldingAreaLaw>,
@@ -106,6 +111,7 @@ impl Choice {
             Choice::StrainGradient => "strain_gradient",
             Choice::Hardness => "hardness_formula",
             Choice::Flattening => "flattening",
+            Choice::SummitHeights => "summit_heights",
             Choice::YieldingArea => "elastic_plastic_area",
             Choice::Interference => "interference_law",
             Choice::Correction => "correction",
@@ -193,6 +199,7 @@ impl ModelOptions {
             Choice::StrainGradient => self.strain_gradient = values.next_value()?,
             Choice::Hardness => self.hardness = values.next_value()?,
             Choice::Flattening => self.flattening = values.next_value()?,
+            Choice::SummitHeights => self.summit_heights = values.next_value()?,
             Choice::YieldingArea => self.elastic_plastic_area = values.next_value()?,
             Choice::Interference => self.interference_law = values.next_value()?,
             Choice::Correction => self.correction = values.next_value()?,
@@ -209,6 +216,7 @@ impl ModelOptions {
             (self.strain_gradient, Choice::StrainGradient),
             (self.hardness.is_some(), Choice::Hardness),
             (self.flattening.is_some(), Choice::Flattening),
+            (self.summit_heights.is_some(), Choice::SummitHeights),
             (self.elastic_plastic_area.is_some(), Choice::YieldingArea),
             (self.interference_law.is_some(), Choice::Interference),
             (self.correction.is_some(), Choice::Correction),

@@ -30,7 +30,7 @@ use std::path::PathBuf;
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
 use stacked_contact::YieldingAreaLaw;
-use stat_contact::{Flattening, InterferenceLaw};
+use stat_contact::{Flattening, InterferenceLaw, SummitHeights};
 
 use crate::place::Place;
 use measurements::ScanRequest;
@@ -526,14 +526,19 @@ pub(crate) struct StatisticalArgs {
     /// on, which is the default, or area, from R on
     #[arg(long, value_parser = one_of::<Flattening, _>(Flattening::ALL))]
     pub flattening: Option<Flattening>,
+    /// Distribution of the heights of elastic spheres (hertz): gaussian, which is the default, or exponential, of standard
+    /// deviation sigma_s from the separation 0 on
+    #[arg(long, value_parser = one_of::<SummitHeights, _>(SummitHeights::ALL))]
+    pub summit_heights: Option<SummitHeights>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
     #[command(flatten)]
     pub normalisation: NormalisationArg,
     #[command(flatten)]
     pub hardness: HardnessFormulaArg,
-    /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa, ln_area_fraction and
-    /// flattened_share
+    /// Append error_estimate, evaluations, out_of_range_load_share, ln_pressure_pa, ln_area_fraction,
+    /// flattened_share, contacts_per_m2 (number of contacts per nominal area) and, with a hardness, plasticity_index
+    /// ((E*/H) sqrt(sigma_s/R))
     #[arg(long)]
     pub details: bool,
     #[command(flatten)]
@@ -548,6 +553,7 @@ impl StatisticalArgs {
             hardness: self.hardness.hardness_formula,
             interference_law: self.interference_law,
             flattening: self.flattening,
+            summit_heights: self.summit_heights,
             ..ModelOptions::default()
         }
     }

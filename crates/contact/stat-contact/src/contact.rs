@@ -4,6 +4,7 @@ use asperity::{AsperityError, MaterialPair};
 
 use crate::asperities::answers::Asperities;
 use crate::asperities::hertz_ellipses::ElasticSummits;
+use crate::exponential::ExponentialSpheres;
 use crate::quadrature::Precision;
 use crate::quadrature::frames::Frames;
 use crate::{AsperityLaw, Condition, ContactState, NayakSummits, Population, StateTable, Sweep};
@@ -23,6 +24,14 @@ impl StatisticalContact {
     #[must_use]
     pub fn new(pair: &MaterialPair, population: &Population, law: &AsperityLaw) -> Self {
         let asperities = law.asperities(pair, population);
+        StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
+    }
+
+    /// Creates the contact of elastic spheres with exponential heights
+    /// ([`SummitHeights::Exponential`](crate::SummitHeights::Exponential)).
+    #[must_use]
+    pub fn from_exponential(pair: &MaterialPair, population: &Population) -> Self {
+        let asperities = Box::new(ExponentialSpheres::new(pair, population));
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! Main types:
 //! * [`Population`]: radius, density and height spread of the asperities, three plain numbers.
+//! * [`SummitHeights`]: Gaussian heights, or exponential ones.
 //! * [`NayakSummits`]: the summits of a Gaussian surface, of every curvature that it has.
 //! * [`AsperityLaw`]: the response of one asperity, with its strength, hardness, [`Flattening`] and
 //!   [`InterferenceLaw`].
@@ -19,6 +20,7 @@
 mod asperities;
 mod condition;
 mod contact;
+mod exponential;
 mod far;
 mod gaussian;
 mod greenwood_tripp;
@@ -34,6 +36,7 @@ mod table;
 pub use asperities::{AsperityLaw, Flattening, InterferenceLaw};
 pub use condition::Condition;
 pub use contact::StatisticalContact;
+pub use exponential::SummitHeights;
 pub use gaussian::moments::PartialMoment;
 pub use greenwood_tripp::{GreenwoodTripp, GreenwoodTrippFit, SeparationPoint};
 pub use linear_law::LinearLaw;

@@ -2,6 +2,8 @@
 
 use asperity::{AsperityError, Bound};
 
+use crate::{PartialMoment, SummitHeights};
+
 /// Asperities of one radius, spread evenly over the nominal area, with Gaussian heights of zero mean (Greenwood &
 /// Williamson 1966). They can be derived from a spectrum by McCool's parameters (`docs/theory/models.md`, section 1.5).
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -42,6 +44,24 @@ impl Population {
     #[must_use]
     pub fn sigma_s_m(&self) -> f64 {
         self.sigma_s_m
+    }
+
+    /// Computes how many asperities per nominal area \[m^-2\] touch a flat at a separation \[m\].
+    #[must_use]
+    pub fn contacts_per_m2(&self, separation_m: f64, heights: SummitHeights) -> f64 {
+        let x = separation_m / self.sigma_s_m;
+        self.density_per_m2
+            * match heights {
+                SummitHeights::Gaussian => PartialMoment::Zeroth.above(x),
+                SummitHeights::Exponential => (-x.max(0.0)).exp(),
+            }
+    }
+
+    /// Computes the plasticity index psi = (E*/H) sqrt(sigma_s/R) under a contact modulus E* and a hardness H > 0 \[Pa\]: below 0.6
+    /// hardly an asperity flows, above 1 most do (Greenwood & Williamson 1966).
+    #[must_use]
+    pub fn plasticity_index(&self, contact_modulus_pa: f64, hardness_pa: f64) -> f64 {
+        contact_modulus_pa / hardness_pa * (self.sigma_s_m / self.radius_m).sqrt()
     }
 
     /// Returns the sinusoid with this density of peaks and this curvature at them: its wavelength lambda \[m\], eta =

@@ -72,6 +72,9 @@ impl<'a> Sweep<'a> {
     /// The errors of [`StatisticalContact::at_separation`](crate::StatisticalContact::at_separation).
     pub fn at_separation(&mut self, separation_m: f64) -> Result<ContactState, AsperityError> {
         let separation_m = Self::SEPARATION_M.check("separation in m", separation_m)?;
+        if let Some(spheres) = self.frames.asperities.exponential() {
+            return Ok(spheres.at_separation(separation_m));
+        }
         let state = self.state_at_separation(separation_m);
         Ok(state.with_flattened_share(self.frames.asperities, self.frames.sigma_s_m))
     }
@@ -97,6 +100,9 @@ impl<'a> Sweep<'a> {
     pub fn at_pressure(&mut self, pressure_pa: f64) -> Result<ContactState, AsperityError> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
         let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
+        if let Some(spheres) = self.frames.asperities.exponential() {
+            return Ok(spheres.at_pressure(pressure_pa));
+        }
         let state = self.state_at_pressure(pressure_pa);
         Ok(state.with_flattened_share(self.frames.asperities, self.frames.sigma_s_m))
     }

@@ -2,7 +2,7 @@
 
 use asperity::{Bound, ElasticBody};
 use numerics::parallel::Progress;
-use stat_contact::{Condition, ContactState, NoSeparation, Sweep};
+use stat_contact::{Condition, ContactState, NoSeparation, Population, Sweep};
 use tables::{Cell, Cells, InputTable, Refusal, Row};
 use units::{Pressure, Remark, RemarkCode};
 
@@ -64,6 +64,8 @@ struct RowRequest {
     grows: bool,
     /// Hardness \[Pa\] that an elastic model does not count, if one is known.
     hardness_pa: Option<f64>,
+    /// Asperities of one curvature, and their plasticity index where a hardness is known.
+    population: Option<(Population, Option<f64>)>,
 }
 
 const REQUIRED_COLUMNS: [&str; 3] = ["model", "youngs_modulus_pa", "poisson_ratio"];
@@ -85,8 +87,17 @@ impl Populations {
         let contact = self.contact(row, entry, &material)?;
         contact
             .map(|contact| {
-                let at = self.condition(row)?;
-                Ok(RowRequest { contact, at, strength_is_assumed, entry, grows, hardness_pa })
+                let (at, modulus_pa) = (self.condition(row)?, material.pair.composite_modulus_pa());
+                let numbers = RowRoughness::ASPERITIES.map(|column| row.number(column, Bound::Magnitude));
+                let population = match (entry.takes_moments, numbers) {
+                    (false, [Ok(radius), Ok(density), Ok(sigma)]) => {
+                        Population::new(radius, density, sigma).ok()
+                    }
+                    _ => None,
+                };
+                let index = |of: &Population| Some(of.plasticity_index(modulus_pa, material.hardness_pa()?));
+                let population = population.map(|of| (of, index(&of)));
+                Ok(RowRequest { contact, at, strength_is_assumed, entry, grows, hardness_pa, population })
             })
             .transpose()
     }
@@ -180,6 +191,15 @@ impl Populations {
                 let cells = states.iter().map(|state| state.as_ref().and_then(of)).collect();
                 input.table.set(name, Cells::Numbers(cells));
             }
+            let heights = self.options.summit_heights.unwrap_or_default();
+            let population = |asked: &Option<RowRequest>| asked.as_ref()?.population;
+            let contacts = asked.iter().zip(states).map(|(asked, state)| {
+                let separation_m = state.as_ref()?.separation_m?;
+                Some(population(asked)?.0.contacts_per_m2(separation_m, heights))
+            });
+            input.table.set("contacts_per_m2", Cells::Numbers(contacts.collect()));
+            let indices = asked.iter().map(|asked| population(asked)?.1);
+            input.table.set("plasticity_index", Cells::Numbers(indices.collect()));
         }
     }
 }
@@ -203,7 +223,10 @@ impl RowByRow for Populations {
     fn depends_on(&self, column: &str) -> bool {
         match column {
             YIELD_STRENGTH | INDENTATION_HARDNESS | STRAIN_GRADIENT_LENGTH => {
-                self.models.iter().any(|entry| entry.has(Choice::Strength))
+                let index = self.details && column != STRAIN_GRADIENT_LENGTH;
+                let takes =
+                    |entry: &&ModelEntry| entry.has(Choice::Strength) || index && !entry.takes_moments;
+                self.models.iter().any(takes)
             }
             "separation_m" => self.given_columns[0],
             "pressure_pa" => self.given_columns[1],

@@ -12,7 +12,7 @@ use questions::{
     TransportInput,
 };
 use spectrum::{Normalisation, cumulative_moments};
-use stat_contact::InterferenceLaw;
+use stat_contact::{InterferenceLaw, SummitHeights};
 use study::growth_law::GrowthLaw;
 use study::materials;
 use study::models::{ModelOptions, with_gaps};
@@ -89,7 +89,7 @@ fn options_that_gaps_ignore_are_refused_by_their_names() {
         gap
     };
     type Change = fn(&mut GapModel);
-    let changes: [(&str, Change, &[&str]); 9] = [
+    let changes: [(&str, Change, &[&str]); 10] = [
         (
             "normalisation",
             |by| by.normalisation = Some(Normalisation::Parseval),
@@ -106,6 +106,7 @@ fn options_that_gaps_ignore_are_refused_by_their_names() {
             |by| by.options.interference_law = Some(InterferenceLaw::Bem),
             &["elastic-sine"],
         ),
+        ("summit_heights", |by| by.options.summit_heights = Some(SummitHeights::Gaussian), &[]),
         ("band", |by| by.options.band = Some(Band::Profile), &["persson", "persson-plastic"]),
         ("strength_cap", |by| by.material.strength_cap = Some(Pressure::Pascals(4e9)), &[]),
         (

@@ -277,7 +277,9 @@ fn a_population_is_pressed_to_the_separation_or_under_the_pressure_that_its_row_
     let notes = rows.notes();
     assert_eq!(numbers_of(&notes, RemarkCode::RowsWithoutAsperities, ["rows", "all"]), [1.0, 4.0]);
     assert_eq!(numbers_of(&notes, RemarkCode::NarrowSpectra, ["narrow", "all"]), [1.0, 4.0]);
-    // No elastic model has a strength.
+    // No elastic model has a strength, but the plasticity index among the details has.
+    assert_eq!(rows.unused(), ["strain_gradient_length_m"]);
+    rows.details = false;
     assert_eq!(rows.unused(), ["yield_strength_pa", "indentation_hardness_pa", "strain_gradient_length_m"]);
     rows.fill_in(&mut table(&text), &Unobserved).unwrap();
     assert_eq!(numbers_of(&rows.notes(), RemarkCode::RowsWithoutAsperities, ["rows", "all"]), [2.0, 8.0]);

@@ -196,7 +196,7 @@ mod tests {
     use ::persson::corrections::Correction;
     use asperity::{ElasticBody, Hardness, MaterialPair, NixGao};
     use stacked_contact::YieldingAreaLaw;
-    use stat_contact::{Flattening, InterferenceLaw};
+    use stat_contact::{Flattening, InterferenceLaw, SummitHeights};
     use units::Pressure;
 
     use super::*;
@@ -229,10 +229,16 @@ mod tests {
             );
             let bem = model.with_interference(InterferenceLaw::Bem);
             assert_eq!(bem.is_some(), entry.has(Choice::Interference), "{entry}");
-            let [mut flattened, mut shaped] = [ModelOptions::default(), ModelOptions::default()];
+            let [mut flattened, mut shaped, mut heights] = [(); 3].map(|()| ModelOptions::default());
+            heights.summit_heights = Some(SummitHeights::Exponential);
             flattened.flattening = Some(Flattening::Area);
             shaped.elastic_plastic_area = Some(YieldingAreaLaw::ElasticShape);
-            for (options, choice) in [(flattened, Choice::Flattening), (shaped, Choice::YieldingArea)] {
+            let given = [
+                (flattened, Choice::Flattening),
+                (shaped, Choice::YieldingArea),
+                (heights, Choice::SummitHeights),
+            ];
+            for (options, choice) in given {
                 let other = entry.build(&strong, &options).unwrap();
                 assert_eq!(other != model, entry.has(choice), "{entry}");
                 assert_eq!(other.options() == options, entry.has(choice), "{entry}");
@@ -257,6 +263,7 @@ mod tests {
             strain_gradient: true,
             hardness: Some(Hardness::default()),
             flattening: Some(Flattening::Area),
+            summit_heights: Some(SummitHeights::Exponential),
             elastic_plastic_area: Some(YieldingAreaLaw::ElasticShape),
             interference_law: Some(InterferenceLaw::Bem),
             correction: Some(Correction::AlgebraicNayak),
@@ -265,7 +272,7 @@ mod tests {
             hardness_law: Some(GrowthLaw::Power(0.5)),
         };
         assert_eq!(ModelOptions::default().given().count(), 0);
-        assert_eq!(all.given().count(), 9);
+        assert_eq!(all.given().count(), 10);
         let entry = |name: &str| MODELS.iter().find(|entry| entry.name == name).unwrap();
         for entry in MODELS.iter() {
             let reasons = all.ignored_by(entry);

@@ -45,8 +45,8 @@ fn details_hold_error_evaluations_and_logarithms() {
     let far = SPHERES.replace("5.02477e-08", "1.2e-6");
     let out =
         bench.run_with_input(&["statistical", "--input", "-", "--details"], &table(&[SPHERES, &far])).ok();
-    let details =
-        "error_estimate,evaluations,out_of_range_load_share,ln_pressure_pa,ln_area_fraction,flattened_share";
+    let details = "error_estimate,evaluations,out_of_range_load_share,ln_pressure_pa,ln_area_fraction,flattened_share,\
+         contacts_per_m2,plasticity_index";
     assert!(out.lines().next().unwrap().ends_with(&format!("area_fraction,{details}")));
     let (pressures, logs) = (numbers(&out, "pressure_pa"), numbers(&out, "ln_pressure_pa"));
     assert!((pressures[0].ln() - logs[0]).abs() < 1e-13);
@@ -318,6 +318,52 @@ fn rows_without_summits_stay_empty_and_are_noted_once() {
     assert_eq!([areas[1], areas[2], areas[4]], [""; 3]);
     // The given separation stays where the row was asked for something.
     assert_eq!(column(&out, "separation_m")[1], "2e-8");
+}
+
+/// A polishing pad: E* 1 GPa, R 5 um, eta 2e8 per m^2, sigma 0.3 um. Exponential summits have one real pressure, E* sqrt(sigma/(pi R)).
+#[test]
+fn exponential_summits_contacts_and_plasticity_index_are_those_of_the_paper() {
+    let bench = Bench::new();
+    let rows = "radius_m,density_per_m2,sigma_s_m,pressure_pa,indentation_hardness_pa\n5e-6,2e8,0.3e-6,7e3,7e9\n5e-6,2e8,0.3e-6,96e3,0.2e9\n";
+    let words = "statistical --input - --model hertz --youngs-modulus 1GPa --poisson-ratio 0 --details --summit-heights";
+    let ran = |heights: &str| {
+        let words = format!("{words} {heights}");
+        bench.run_with_input(&words.split(' ').collect::<Vec<_>>(), rows).ok()
+    };
+    let found = ran("exponential");
+    let [areas, separations, contacts, index] =
+        ["area_fraction", "separation_m", "contacts_per_m2", "plasticity_index"]
+            .map(|name| numbers(&found, name));
+    for (area, pressure_pa) in areas.iter().zip([7e3, 96e3]) {
+        assert!((pressure_pa / area / 138.2e6 - 1.0).abs() < 1e-4);
+    }
+    for (contacts, separation_m) in contacts.iter().zip(&separations) {
+        assert!((contacts / (2e8 * (-separation_m / 0.3e-6).exp()) - 1.0).abs() < 1e-12);
+    }
+    assert!((index[0] - 0.035).abs() < 1e-4 && (index[1] - 1.22).abs() < 0.01, "{index:?}");
+    let gaussian = numbers(&ran("gaussian"), "contacts_per_m2");
+    assert!(gaussian.iter().zip(&contacts).all(|(gaussian, other)| gaussian != other && *gaussian < 2e8));
+    let sphere = table(&[SPHERES]);
+    let words = ["statistical", "--input", "-", "--summit-heights", "exponential"];
+    bench.run_with_input(&words, &sphere).refused_naming(&["--summit-heights"]);
+}
+
+/// The same over cutoffs, whose columns have the same formulas.
+#[test]
+fn over_cutoffs_details_count_contacts() {
+    let bench = Bench::new();
+    let words = "statistical builtin:uncd-measured --model hertz --summit-heights exponential --pressure 1MPa --details";
+    let args: Vec<&str> = words.split(' ').chain(DIAMOND).collect();
+    let found = bench.run(&args).ok();
+    let names =
+        ["density_per_m2", "sigma_s_m", "radius_m", "separation_m", "contacts_per_m2", "plasticity_index"];
+    let last = names.map(|name| column(&found, name).last().unwrap().parse::<f64>().unwrap());
+    let [density, sigma_m, radius_m, separation_m, contacts, index] = last;
+    assert!((contacts / (density * (-separation_m / sigma_m).exp()) - 1.0).abs() < 1e-12);
+    assert!((index / (463e9 / 0.96 / 5.4e9 * (sigma_m / radius_m).sqrt()) - 1.0).abs() < 1e-12);
+    let bgt = words.replace("hertz --summit-heights exponential", "bgt");
+    let found = bench.run(&bgt.split(' ').chain(DIAMOND).collect::<Vec<_>>()).ok();
+    assert!(column(&found, "contacts_per_m2").iter().all(|cell| cell.is_empty()));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Properties of a population's law that quadratures and searches use.
 
 use super::pieces::Piece;
+use crate::exponential::ExponentialSpheres;
 use crate::summits::integrals::SummitIntegrals;
 
 /// Response of a population whose asperities are all pressed to the same interference.
@@ -48,6 +49,11 @@ pub(crate) trait Asperities: std::fmt::Debug + Send + Sync {
     /// Integrals over summits, if curvatures are spread as well as heights. They replace everything but
     /// [`at_interference`](Self::at_interference).
     fn summits(&self) -> Option<&SummitIntegrals> {
+        None
+    }
+
+    /// Spheres with exponential heights, if these are no Gaussian ones. They replace everything else.
+    fn exponential(&self) -> Option<&ExponentialSpheres> {
         None
     }
 

@@ -41,7 +41,7 @@ pub(crate) fn density(u: f64, s: f64) -> f64 {
 }
 
 /// Computes exp(z^2) erfc(z) for z >= 0.
-fn scaled_erfc(z: f64) -> f64 {
+pub(crate) fn scaled_erfc(z: f64) -> f64 {
     const ASYMPTOTIC_FROM: f64 = 10.0;
     if z < ASYMPTOTIC_FROM {
         let square = z * z;

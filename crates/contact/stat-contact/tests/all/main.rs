@@ -1,6 +1,7 @@
 //! The tests of this crate from outside, in one program: linking takes longer than running them.
 
 mod error_estimates;
+mod exponential;
 mod greenwood_tripp;
 mod hard;
 mod references;

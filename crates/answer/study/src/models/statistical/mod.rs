@@ -11,6 +11,7 @@ use serde::Serialize;
 use spectrum::AsperityParameters;
 use stat_contact::{
     AsperityLaw, Condition, ContactState, Flattening, NayakSummits, Population, StatisticalContact,
+    SummitHeights,
 };
 use tables::Table;
 
@@ -32,9 +33,13 @@ pub(super) const MODELS: &[ModelEntry] = &[
         citation: "Greenwood & Williamson (1966), Proc. R. Soc. A 295:300",
         aliases: &["gw", "gwhertz", "greenwoodwilliamson"],
         framework: Framework::Statistical,
-        choices: &[],
+        choices: &[Choice::SummitHeights],
         takes_moments: false,
-        build: |material, _| Ok(statistical(material, Some(AsperityLaw::Hertz))),
+        build: |material, options| {
+            let heights = options.summit_heights.unwrap_or_default();
+            let law = Some(AsperityLaw::Hertz);
+            Ok(Theory::Statistical(Statistical { pair: material.pair, law, heights }))
+        },
     },
     ModelEntry {
         name: "ep-sphere",
@@ -94,7 +99,7 @@ pub(super) const MODELS: &[ModelEntry] = &[
 ];
 
 fn statistical(material: &Material, law: Option<AsperityLaw>) -> Theory {
-    Theory::Statistical(Statistical { pair: material.pair, law })
+    Theory::Statistical(Statistical { pair: material.pair, law, heights: SummitHeights::Gaussian })
 }
 
 /// A statistical theory of bodies in contact.
@@ -105,6 +110,8 @@ pub struct Statistical {
     /// The law of asperities of one curvature, McCool's; absent for the summits of the surface, which have every curvature and
     /// are elastic (Bush, Gibson & Thomas).
     pub law: Option<AsperityLaw>,
+    /// The distribution of the heights; other laws than that of elastic spheres have Gaussian ones.
+    pub heights: SummitHeights,
 }
 
 /// A surface as a statistical model presses it.
@@ -157,7 +164,10 @@ impl Statistical {
             };
         };
         let population = Population::new(first, second, third)?;
-        Ok(Pressable::Contact(StatisticalContact::new(&self.pair, &population, law)))
+        Ok(Pressable::Contact(match self.heights {
+            SummitHeights::Gaussian => StatisticalContact::new(&self.pair, &population, law),
+            SummitHeights::Exponential => StatisticalContact::from_exponential(&self.pair, &population),
+        }))
     }
 
     /// Returns the asperities of a roughness as the model presses them.
@@ -175,12 +185,13 @@ impl Statistical {
     /// Returns the same bodies with another law of one asperity, or nothing for the summits of a surface.
     pub(super) fn with_law(&self, change: impl FnOnce(AsperityLaw) -> Option<AsperityLaw>) -> Option<Theory> {
         let law = Some(change(self.law?)?);
-        Some(Theory::Statistical(Statistical { pair: self.pair, law }))
+        Some(Theory::Statistical(Statistical { law, ..*self }))
     }
 
     /// Returns the options that differ from their defaults, but for the strain gradient.
     pub(super) fn options(&self) -> ModelOptions {
-        let mut options = ModelOptions::default();
+        let summit_heights = unless_default(self.heights);
+        let mut options = ModelOptions { summit_heights, ..ModelOptions::default() };
         match self.law {
             Some(AsperityLaw::EpSphere { hardness, held_from, .. }) => {
                 options.hardness = unless_default(hardness);
