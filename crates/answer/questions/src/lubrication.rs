@@ -3,6 +3,8 @@
 mod card;
 mod pressed;
 
+use std::f64::consts::LN_10;
+
 use asperity::Bound;
 use findings::doubts::{self, PressedBodies};
 use numerics::parallel::Progress;
@@ -16,12 +18,11 @@ use study::material::Material;
 use study::models::{Framework, ModelEntry};
 use study::plan::{LoadRange, Needs, NominalPressure, Plan, PlanError};
 use study::surface::Surface;
-use units::display::counted;
 use units::{OutOfBounds, Pressure, Remark, RemarkCode};
 
 pub use self::card::FoundLubrication;
 use self::card::{Card, of_law, of_summits};
-use self::pressed::SealedFlow;
+use self::pressed::medium;
 use crate::gap::remarks_on_gap_law;
 use crate::loads::nominal_pressure;
 use crate::option::{first_given, not_of_model};
@@ -166,34 +167,43 @@ impl LubricationQuestion {
         let SummitInput { density_per_m2, radius_m, rms_height_m } =
             self.summits.ok_or(QuestionError::missing("summit_density"))?;
         let material = self.by.material.of_half_spaces("Greenwood & Tripp's summits")?;
-        let modulus_pa = material.pair.composite_modulus_pa();
-        let law = Population::new(radius_m, density_per_m2, rms_height_m)
-            .and_then(|summits| GreenwoodTripp::new(modulus_pa, summits))
-            .map_err(GapError::from)?;
-        let pressure_pa = |over_rms: f64| law.pressure_pa(over_rms * rms_height_m);
-        let separations: Vec<f64> = match self.range {
-            LubricationRange::Separations(ends) => evenly(ends, ROWS).collect(),
-            LubricationRange::Pressures(ends) => pressures_pa(ends, &material, ROWS)?
-                .map(|wanted_pa| {
-                    zero_in_bracket(-1e6, LARGEST_SEPARATION, |over_rms| pressure_pa(over_rms) - wanted_pa)
-                })
-                .collect(),
-        };
-        let row = |over_rms: &f64| {
-            let separation_m = over_rms * rms_height_m;
-            let (pressure_pa, area_fraction) = (pressure_pa(*over_rms), law.area_fraction(separation_m));
-            let point = SeparationPoint { separation_m, pressure_pa, area_fraction };
-            SurfaceRow { point, mean_gap_m: overlapping_gap_m(separation_m, rms_height_m), flow: None }
-        };
-        let rows: Vec<SurfaceRow> = separations.iter().map(row).collect();
-        let (name, hardness_pa) = ("Greenwood & Tripp", material.hardness_pa());
-        let bodies = PressedBodies { name, modulus_pa, hardness_pa, is_elastic: true };
+        let (modulus_pa, hardness_pa) = (material.pair.composite_modulus_pa(), material.hardness_pa());
+        let summits = Population::new(radius_m, density_per_m2, rms_height_m).map_err(GapError::from)?;
+        let law = GreenwoodTripp::new(modulus_pa, summits).map_err(GapError::from)?;
+        let rows = self.rows(&material, rms_height_m, |pressure_pa| {
+            let excess = |over_rms: f64| (law.pressure_pa(over_rms * rms_height_m) / pressure_pa).ln();
+            let separation_m = zero_in_bracket(-1e6, LARGEST_SEPARATION, excess) * rms_height_m;
+            let point =
+                SeparationPoint { separation_m, pressure_pa, area_fraction: law.area_fraction(separation_m) };
+            Some(SurfaceRow { point, mean_gap_m: overlapping_gap_m(separation_m, rms_height_m), flow: None })
+        })?;
         let areas: Vec<_> = rows.iter().map(|row| (row.point.pressure_pa, row.point.area_fraction)).collect();
+        let bodies = PressedBodies { name: "Greenwood & Tripp", modulus_pa, hardness_pa, is_elastic: true };
         let doubts = doubts::of_contact(&bodies, Some(("model", "bem")), &areas);
         let notes = doubts::of_bodies(&material).into_iter().chain(doubts).collect();
         let lines =
             vec![format!("Greenwood & Tripp's law of two alike faces: {}", of_law(&law)), CUT_OFF.into()];
         Card { rows, rms_height_m, modulus_pa, lines, notes }.found()
+    }
+
+    /// Rows of a closed form by its row under any pressure \[Pa\]; those that it has not are left out.
+    fn rows(
+        &self,
+        material: &Material,
+        rms_height_m: f64,
+        row: impl Fn(f64) -> Option<SurfaceRow>,
+    ) -> Result<Vec<SurfaceRow>, QuestionError> {
+        let separation_m = |pressure_pa: f64| row(pressure_pa).map(|row| row.point.separation_m);
+        let modulus_pa = material.pair.composite_modulus_pa();
+        Ok(match self.range {
+            LubricationRange::Pressures(ends) => {
+                pressures_pa(ends, material, ROWS)?.filter_map(row).collect()
+            }
+            LubricationRange::Separations(ends) => evenly(ends, ROWS)
+                .filter_map(|over_rms| pressure_at_pa(over_rms * rms_height_m, modulus_pa, separation_m))
+                .filter_map(&row)
+                .collect(),
+        })
     }
 
     fn of(
@@ -233,7 +243,7 @@ impl LubricationQuestion {
         let law = self.by.law(entry, material, surface, progress)?;
         let rms_height_m = law.rms_height_m;
         let energy_factor = self.by.options.gamma.unwrap_or_default();
-        let sealed = law.roughness().map(|roughness| SealedFlow::new(roughness, modulus_pa, energy_factor));
+        let medium = law.roughness().map(|roughness| medium(roughness, modulus_pa, energy_factor));
         // Asperities that are pressed one by one move no mean plane, and heights that overlap are cut off.
         let is_mean_gap = entry.framework == Framework::Persson;
         let row = |pressure_pa: f64| {
@@ -242,24 +252,12 @@ impl LubricationQuestion {
             let point = SeparationPoint { separation_m, pressure_pa, area_fraction: state.area_fraction };
             let mean_gap_m =
                 if is_mean_gap { separation_m } else { overlapping_gap_m(separation_m, rms_height_m) };
-            Some(SurfaceRow {
-                point,
-                mean_gap_m,
-                flow: sealed.as_ref().and_then(|sealed| sealed.factors(&point)),
-            })
+            Some(SurfaceRow { point, mean_gap_m, flow: medium.as_ref().and_then(|medium| medium(&point)) })
         };
-        let gap_m = |pressure_pa: f64| law.at(pressure_pa).ok()?.mean_gap_m;
-        let wanted: Vec<Option<f64>> = match self.range {
-            LubricationRange::Pressures(ends) => pressures_pa(ends, material, ROWS)?.map(Some).collect(),
-            LubricationRange::Separations(ends) => evenly(ends, ROWS)
-                .map(|over_rms| pressure_at_gap_pa(over_rms * rms_height_m, modulus_pa, gap_m))
-                .collect(),
-        };
+        let rows = self.rows(material, rms_height_m, row)?;
         if progress.is_cancelled() {
             return Err(QuestionError::Plan(PlanError::Cancelled));
         }
-        let rows: Vec<SurfaceRow> =
-            wanted.iter().flatten().filter_map(|pressure_pa| row(*pressure_pa)).collect();
         let loads: Vec<f64> = rows.iter().map(|row| row.point.pressure_pa).collect();
         let mut notes = self.by.notes(material, surface);
         notes.extend(remarks_on_gap_law(&law, &loads));
@@ -267,9 +265,8 @@ impl LubricationQuestion {
         notes.extend(self.by.doubts(material, areas, Some("bem")));
         let mean_gap = if is_mean_gap { "The mean gap is the separation: nothing flows." } else { CUT_OFF };
         let mut lines = vec![format!("{}: {}", entry.full_name, entry.citation), mean_gap.to_owned()];
-        if rows.len() < wanted.len() {
-            let left_out = counted(wanted.len() - rows.len(), "row");
-            lines.push(format!("{left_out} left out: the model has no gap there."));
+        if rows.len() < ROWS as usize {
+            lines.push("Rows at which the model has no gap are left out.".to_owned());
         }
         Ok(Card { rows, rms_height_m, modulus_pa, lines, notes })
     }
@@ -299,13 +296,13 @@ fn overlapping_gap_m(separation_m: f64, rms_height_m: f64) -> f64 {
     rms_height_m * PartialMoment::First.above(-separation_m / rms_height_m)
 }
 
-/// Finds the pressure \[Pa\] at which a gap that falls with the pressure has a value \[m\]; `None` if it never has.
-fn pressure_at_gap_pa(wanted_m: f64, modulus_pa: f64, gap_m: impl Fn(f64) -> Option<f64>) -> Option<f64> {
-    const DECADE: f64 = std::f64::consts::LN_10;
-    // Without a gap everything touches, or has flowed.
-    let excess = |ln_pressure: f64| gap_m(ln_pressure.exp()).map_or(-1.0, |gap_m| gap_m / wanted_m - 1.0);
-    let decades = (0..200).map(|at| modulus_pa.ln() - DECADE * f64::from(at));
-    let light = decades.into_iter().find(|ln_pressure| excess(*ln_pressure) > 0.0)?;
-    let pressure_pa = zero_in_bracket(light, light + DECADE, excess).exp();
-    gap_m(pressure_pa).is_some_and(|gap_m| (gap_m / wanted_m - 1.0).abs() < 1e-6).then_some(pressure_pa)
+/// Finds the pressure \[Pa\] at which a separation that falls with it has a value \[m\]; `None` if it never has.
+fn pressure_at_pa(wanted_m: f64, modulus_pa: f64, separation_m: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    // Without a separation everything touches, or has flowed.
+    let excess =
+        |ln_pressure: f64| separation_m(ln_pressure.exp()).map_or(-1.0, |found_m| found_m / wanted_m - 1.0);
+    let mut decades = (0..200).map(|at| modulus_pa.ln() - LN_10 * f64::from(at));
+    let light = decades.find(|ln_pressure| excess(*ln_pressure) > 0.0)?;
+    let ln_pressure = zero_in_bracket(light, light + LN_10, excess);
+    (excess(ln_pressure).abs() < 1e-6).then(|| ln_pressure.exp())
 }

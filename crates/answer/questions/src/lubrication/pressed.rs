@@ -1,6 +1,6 @@
 //! Rows of boundary elements, and flow through their gaps and those of Persson's theory.
 
-use elements::{Approach, Boundary, ElementsError, ImposedLoad, PressedLoad, Pressing, Surfaces};
+use elements::{Approach, Boundary, ImposedLoad, PressedLoad, Pressing, Relief, Surfaces};
 use interface::leak::SealedJoint;
 use interface::sealed_fluid::SealedFluid;
 use numerics::parallel::Progress;
@@ -22,43 +22,35 @@ use crate::map_question::relief;
 
 /// Rows, under each of which every surface is pressed.
 const ROWS: u32 = 11;
-/// Share of the height of the highest point from which on hardly a point touches.
-const NEARLY_APART: f64 = 0.97;
 /// Least area of the flows that the medium of Persson's gaps was compared with (`docs/develop/trials.md`).
 const LEAST_TRIED_AREA: f64 = 0.02;
 /// Length of a wave over the side of the seal whose range of flow is taken.
 const WAVE: f64 = 0.1;
 const NO_MAP: &str = "the surface holds no map to press as scanned; give the scan of a map";
 
-/// Flow through the effective medium of Persson's gaps.
-pub(super) struct SealedFlow {
-    law: SealingLaw,
-    flow: SealFlow,
-}
-
-impl SealedFlow {
-    pub fn new(roughness: &Roughness, modulus_pa: f64, energy_factor: EnergyFactor) -> Self {
-        // Seals take this correction as well.
-        let (correction, threshold) = (Some(Correction::AlgebraicNayak), PercolationThreshold::default());
-        let law = SealingLaw::new(roughness, modulus_pa, energy_factor, correction, threshold);
-        SealedFlow { flow: SealFlow::new(&law), law }
-    }
-
-    /// Flow factors of a surface whose mean gap is the separation; `None` for contacts lighter than any flow that was tried.
-    pub fn factors(&self, point: &SeparationPoint) -> Option<[f64; 4]> {
-        let &SeparationPoint { separation_m, pressure_pa, .. } = point;
-        let area_fraction = self.law.area_fraction(pressure_pa);
+/// Flow factors of a surface by the effective medium of Persson's gaps, at points whose separation is the mean gap; `None` for
+/// contacts lighter than any flow that was tried.
+pub(super) fn medium(
+    roughness: &Roughness,
+    modulus_pa: f64,
+    energy_factor: EnergyFactor,
+) -> impl Fn(&SeparationPoint) -> Option<[f64; 4]> {
+    // Seals take this correction as well.
+    let (correction, threshold) = (Some(Correction::AlgebraicNayak), PercolationThreshold::default());
+    let law = SealingLaw::new(roughness, modulus_pa, energy_factor, correction, threshold);
+    let flow = SealFlow::new(&law);
+    let fluid = SealedFluid::Incompressible { viscosity_pa_s: 1.0 };
+    let joint = SealedJoint::new(1.0, 1.0, 1.0, fluid).ok();
+    move |&SeparationPoint { separation_m, pressure_pa, .. }| {
+        let area_fraction = law.area_fraction(pressure_pa);
         if area_fraction < LEAST_TRIED_AREA {
             return None;
         }
-        let Some(found) = self.flow.conductance(pressure_pa / self.law.tight_pressure_pa(), separation_m)
-        else {
+        let Some(found) = flow.conductance(pressure_pa / law.tight_pressure_pa(), separation_m) else {
             return Some([0.0; 4]);
         };
-        let joint =
-            SealedJoint::new(1.0, 1.0, 1.0, SealedFluid::Incompressible { viscosity_pa_s: 1.0 }).ok()?;
-        let rate = joint.leak_rate([found.medium_m3, found.parallel_m3], area_fraction, WAVE);
-        let slot = joint.rate_m3_per_s(separation_m.powi(3));
+        let rate = joint?.leak_rate([found.medium_m3, found.parallel_m3], area_fraction, WAVE);
+        let slot = joint?.rate_m3_per_s(separation_m.powi(3));
         let medium = found.medium_m3 / separation_m.powi(3);
         Some([medium, medium, rate.low_m3_per_s / slot, rate.high_m3_per_s / slot])
     }
@@ -100,23 +92,16 @@ impl LubricationQuestion {
             (Surfaces::Random(random), notes, source)
         };
         let mut lines = vec![format!("Boundary elements: {source}.")];
-        let (rms_height_m, highest_m) = heights_m(&surfaces)?;
+        let rms_height_m = rms_height_m(&surfaces);
         pressing.loads = match self.range {
             LubricationRange::Pressures(ends) => {
                 pressures_pa(ends, material, ROWS)?.map(ImposedLoad::PressurePa).collect()
             }
             // From far to close, since smaller loads behind larger ones unload nothing.
             LubricationRange::Separations([from, to]) => evenly([to, from], ROWS)
-                .map(|over_rms| over_rms * rms_height_m)
-                .filter(|separation_m| *separation_m < NEARLY_APART * highest_m)
-                .map(|separation_m| ImposedLoad::Approach(Approach::MeanGapM(separation_m)))
+                .map(|over_rms| ImposedLoad::Approach(Approach::MeanGapM(over_rms * rms_height_m)))
                 .collect(),
         };
-        let left_out = ROWS as usize - pressing.loads.len();
-        if left_out > 0 {
-            let (rows, highest) = (counted(left_out, "row"), length(highest_m));
-            lines.push(format!("{rows} left out: the least high surface ends {highest} above its mean."));
-        }
         let (pressed, flows) = press(&surfaces, &pressing, &mut notes, progress)?;
         lines.push(match saturation_pa {
             Some(hardness_pa) => {
@@ -150,65 +135,53 @@ impl LubricationQuestion {
     }
 }
 
-/// Rms height \[m\] of surfaces, and the height over its mean \[m\] of the highest point of the least high one.
-fn heights_m(surfaces: &Surfaces) -> Result<(f64, f64), QuestionError> {
-    let (mut square_m2, mut highest_m) = (0.0, f64::INFINITY);
-    for number in 0..surfaces.count() {
-        let relief = surfaces.relief(number).map_err(ElementsError::from)?;
-        let heights_m = relief.heights_m.iter();
-        let count = heights_m.len() as f64;
-        let mean_m = heights_m.clone().sum::<f64>() / count;
-        square_m2 += heights_m.clone().map(|height_m| (height_m - mean_m).powi(2)).sum::<f64>() / count;
-        highest_m = highest_m.min(heights_m.copied().fold(f64::NEG_INFINITY, f64::max) - mean_m);
-    }
-    let of_all_m2 = match surfaces {
-        Surfaces::Random(random) => random.band.mean_square_height_m2(),
-        _ => square_m2 / surfaces.count() as f64,
+/// Rms height of surfaces \[m\].
+fn rms_height_m(surfaces: &Surfaces) -> f64 {
+    let of_map_m2 = |map: &Relief| {
+        let count = map.heights_m.len() as f64;
+        let mean_m = map.heights_m.iter().sum::<f64>() / count;
+        map.heights_m.iter().map(|height_m| (height_m - mean_m).powi(2)).sum::<f64>() / count
     };
-    Ok((of_all_m2.sqrt(), highest_m))
+    match surfaces {
+        Surfaces::Random(random) => random.band.mean_square_height_m2().sqrt(),
+        Surfaces::Maps(maps) => (maps.iter().map(of_map_m2).sum::<f64>() / maps.len() as f64).sqrt(),
+        _ => 0.0,
+    }
 }
 
-/// Loads on surfaces, and the flow factors of each.
+/// Loads on surfaces, and the flow factors of each, which the crate `transport` solves.
 type PressedWithFlow = (Vec<PressedLoad>, Vec<Option<[f64; 4]>>);
 
-/// Presses surfaces, and solves the flow through their gaps.
-#[cfg(feature = "transport")]
 fn press(
     surfaces: &Surfaces,
     pressing: &Pressing,
     notes: &mut Vec<Remark>,
     progress: &dyn Progress,
 ) -> Result<PressedWithFlow, QuestionError> {
-    let flow = crate::flow::PressedFlow::new(None, surfaces)?;
-    let see = |field: &elements::ContactField<'_>| flow.solve(field, progress).map(drop);
-    let mut pressed = elements::press::<QuestionError>(surfaces, pressing, see, progress)?;
-    let table = flow.table(&mut pressed, notes, false);
-    let value = |name: &str, row: usize| match table.column(name) {
-        Some(tables::Cells::Numbers(numbers)) => numbers[row].unwrap_or(0.0),
-        _ => 0.0,
-    };
-    let factors = |row: usize| {
-        let along = ["x", "y"].map(|axis| {
-            let [mean, scatter, error] =
-                ["", "_sd", "_error"].map(|end| value(&format!("flow_factor_{axis}{end}"), row));
-            (mean, scatter.hypot(error))
-        });
-        let [low, high] = [-1.0, 1.0].map(|side| along.map(|(mean, off)| (mean + side * off).max(0.0)));
-        Some([along[0].0, along[1].0, low[0].min(low[1]), high[0].max(high[1])])
-    };
-    let flows = (0..pressed.len()).map(factors).collect();
-    Ok((pressed, flows))
-}
-
-/// Presses surfaces; no flow is solved without the crate `transport`.
-#[cfg(not(feature = "transport"))]
-fn press(
-    surfaces: &Surfaces,
-    pressing: &Pressing,
-    _notes: &mut Vec<Remark>,
-    progress: &dyn Progress,
-) -> Result<PressedWithFlow, QuestionError> {
-    let pressed = elements::press::<QuestionError>(surfaces, pressing, |_| Ok(()), progress)?;
-    let flows = vec![None; pressed.len()];
-    Ok((pressed, flows))
+    #[cfg(feature = "transport")]
+    {
+        let flow = crate::flow::PressedFlow::new(None, surfaces)?;
+        let see = |field: &elements::ContactField<'_>| flow.solve(field, progress).map(drop);
+        let mut pressed = elements::press::<QuestionError>(surfaces, pressing, see, progress)?;
+        let table = flow.table(&mut pressed, notes, false);
+        let value = |name: String, row: usize| match table.column(&name) {
+            Some(tables::Cells::Numbers(numbers)) => numbers[row].unwrap_or(0.0),
+            _ => 0.0,
+        };
+        let factors = |row: usize| {
+            let of = |axis: &str, end: &str| value(format!("flow_factor_{axis}{end}"), row);
+            let [(x, off_x), (y, off_y)] =
+                ["x", "y"].map(|axis| (of(axis, ""), of(axis, "_sd").hypot(of(axis, "_error"))));
+            Some([x, y, (x - off_x).min(y - off_y).max(0.0), (x + off_x).max(y + off_y)])
+        };
+        let flows = (0..pressed.len()).map(factors).collect();
+        Ok((pressed, flows))
+    }
+    #[cfg(not(feature = "transport"))]
+    {
+        let _ = notes;
+        let pressed = elements::press::<QuestionError>(surfaces, pressing, |_| Ok(()), progress)?;
+        let flows = vec![None; pressed.len()];
+        Ok((pressed, flows))
+    }
 }
