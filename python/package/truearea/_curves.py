@@ -17,7 +17,7 @@ from truearea._choices import AmplitudeDefinition, StackedModel, StatisticalMode
 from truearea._grammar import AnyMaterial, AnySurface, material_of, surface_of
 from truearea._material import Quantity
 from truearea._notes import noted
-from truearea._options import StackedOptions, StatisticalOptions, Unpack, with_options
+from truearea._options import PopulationOptions, StackedOptions, Unpack, with_options
 from truearea._picture import Drawn, Picture, Trace, load_label
 from truearea._results import AnyArray, FloatArray, Result
 
@@ -162,7 +162,7 @@ def stacked(
     return StackedCurve._found("stacked", surface, material, arguments)
 
 
-@with_options(StatisticalOptions)
+@with_options(PopulationOptions)
 def statistical(
     surface: AnySurface,
     material: AnyMaterial,
@@ -171,7 +171,7 @@ def statistical(
     pressure: Pressures | None = None,
     separation: Pressures | None = None,
     tolerance: float = 1e-12,
-    **options: Unpack[StatisticalOptions],
+    **options: Unpack[PopulationOptions],
 ) -> StatisticalCurve:
     """Contact against cutoff of the asperities that each cutoff leaves (Greenwood & Williamson 1966; McCool 1987).
 

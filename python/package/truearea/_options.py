@@ -57,7 +57,6 @@ class Asperities(TypedDict, total=False):
     hardness_formula: HardnessFormula | None
     flattening: Flattening | None
     interference_law: InterferenceLaw | None
-    summit_heights: SummitHeights | None
 
 
 class MeanGap(TypedDict, total=False):
@@ -91,6 +90,12 @@ class StatisticalOptions(TwoFaces, Sampling, Asperities, total=False):
     """Options of statistical models."""
 
     normalisation: Normalisation | None
+
+
+class PopulationOptions(StatisticalOptions, total=False):
+    """Options of statistical models against the cutoff."""
+
+    summit_heights: SummitHeights | None
 
 
 class GapOptions(StatisticalOptions, MeanGap):

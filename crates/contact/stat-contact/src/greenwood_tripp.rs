@@ -45,8 +45,8 @@ pub struct GreenwoodTrippFit {
 }
 
 impl GreenwoodTripp {
-    /// Separations over sigma that count in a [`fit`](Self::fit).
-    pub const FITTED: RangeInclusive<f64> = 0.5..=3.0;
+    /// Separations over sigma that count in a [`fit`](Self::fit): 0.5 to 3, with rounding.
+    pub const FITTED: RangeInclusive<f64> = 0.499_999..=3.000_001;
 
     /// Creates the contact of two alike faces under a contact modulus E* \[Pa\], 1/E* the sum of (1 - nu^2)/E over both; `summits` has
     /// eta and beta of each face, and sigma of both together.

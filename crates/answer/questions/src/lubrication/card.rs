@@ -1,10 +1,12 @@
 //! The file for a solver: rows, the nearest Greenwood-Tripp law, and what a reader has to know.
 
+use std::f64::consts::SQRT_2;
+
 use spectrum::{AsperityParameters, Moments};
 use stat_contact::{GreenwoodTripp, GreenwoodTrippFit, Population, SeparationPoint};
 use study::gap_law::GapError;
 use tables::Table;
-use units::display::{length, pressure, three_digits};
+use units::display::{length, percent, pressure, three_digits};
 use units::{Remark, Spelling};
 
 use super::SurfaceRow;
@@ -18,8 +20,8 @@ const NO_ROWS: &str =
 const NO_FIT: &str = "No Greenwood-Tripp law is fitted: fewer than two rows lie between h/sigma = 0.5 and 3.";
 const SEPARATION: &str = "Pressures are nominal, force over the area that seems to touch. h is nominal_separation_m, the distance of \
                           the mean planes of both faces; mean_gap_m is the mean of the open gap over all points.";
-const TRIPLES: &str = "In these triples h is the distance of the mean planes of the summits. F_n(x) is the integral of (s - x)^n over \
-                       the standard normal density of s from x on.";
+const INTEGRALS: &str =
+    "F_n(x) is the integral of (s - x)^n over the standard normal density of s from x on.";
 const UNIDENTIFIED: &str = "Since sigma is known, this fit has two numbers: areas fix eta beta sigma, pressure and area together \
                             sigma/beta; eta and beta apart follow by sigma. Pressures alone fix (eta beta sigma)^2 sqrt(sigma/beta) \
                             E*, and a length where sigma is free, but neither eta nor beta nor the area.";
@@ -148,23 +150,39 @@ pub(super) fn of_summits(
     };
     let Some(moments) = sum else { return Ok(None) };
     let (sum, offset_m) = summits(&moments)?;
-    let (law, of) = match &faces {
-        Some((one, other)) => (
-            GreenwoodTripp::from_faces(modulus_pa, [&summits(one)?.0, &summits(other)?.0])?,
-            "Both faces, each by its own spectrum, act like two alike faces (Greenwood & Tripp)",
-        ),
+    let (law, offsets_m, of) = match &faces {
+        Some((one, other)) => {
+            let [(one, first_m), (other, second_m)] = [summits(one)?, summits(other)?];
+            let law = GreenwoodTripp::from_faces(modulus_pa, [&one, &other])?;
+            (
+                law,
+                first_m + second_m,
+                "Both faces, each by its own spectrum, act like two alike faces (Greenwood & Tripp)",
+            )
+        }
+        // Half of the moments has the density, and sqrt(2) of the radius, of which offsets are the inverse.
         None => (
             GreenwoodTripp::from_sum(modulus_pa, &sum)?,
+            SQRT_2 * offset_m,
             "Two alike faces (Greenwood & Tripp), if each has half of this roughness",
         ),
     };
     let on_plane = format!(
         "Summits by spectral moments (McCool 1987, J. Tribol. 109:264) down to the cutoff of {}, which they depend on. One rough face on \
          a plane, with the roughness of the sum: {}, the mean summit {} above the mean plane; p = (4/3) eta E* sqrt(R) sigma_s^(3/2) \
-         F_3/2(h/sigma_s) (Greenwood & Williamson 1966, Proc. R. Soc. A 295:300).",
+         F_3/2, h from there (Greenwood & Williamson 1966, Proc. R. Soc. A 295:300).",
         length(moments.wavelength_m),
         triple(&sum, ["R", "sigma_s"]),
         length(offset_m)
     );
-    Ok(Some([on_plane, format!("{of}: {}", of_law(&law)), TRIPLES.to_owned()]))
+    let rms_height_m = moments.rms_height_m();
+    let of_two = format!(
+        "{of}: {} Their h is that of the mean summits, {} less than that of the mean planes; with the latter in its place the pressure \
+         at h = {} would be {} of what it is.",
+        of_law(&law),
+        length(offsets_m),
+        length(rms_height_m),
+        percent(law.pressure_pa(rms_height_m) / law.pressure_pa(rms_height_m - offsets_m))
+    );
+    Ok(Some([on_plane, of_two, INTEGRALS.to_owned()]))
 }

@@ -291,7 +291,7 @@ impl LawArgs {
         let named = &self.choices.material.bodies.named;
         let question = LawTableQuestion {
             law: LawQuestion { by: self.choices.input(model), from, to },
-            quantity: self.table_quantity().unwrap_or_default(),
+            quantity: self.quantity.0.unwrap_or_default(),
             correlation,
             transport: self.transport.input(),
             gas: self.gas.input(),

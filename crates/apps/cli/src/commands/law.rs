@@ -29,7 +29,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             "--format json does not affect `law`, which writes what --dialect says; leave it out",
         ));
     }
-    let Some(quantity) = args.table_quantity() else { return lubrication::run(args, context) };
+    let Some(quantity) = args.quantity.0 else { return lubrication::run(args, context) };
     let other = Remark::new(RemarkCode::OtherQuantity).with("quantity", quantity.name());
     refuse_first(args.of_lubrication(), other)?;
     let (question, elements) = (args.question(), args.elements());

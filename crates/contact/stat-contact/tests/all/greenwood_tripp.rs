@@ -248,6 +248,15 @@ fn the_law_of_its_own_curve_is_found_again() {
     assert!((fit.law.summits().radius_m() / 2e-5 - 1.0).abs() < 1e-11);
     assert!(fit.ln_pressure_errors[1] < 1e-12 && fit.ln_area_errors[1] < 1e-12);
     assert!(fit.range[0] >= 0.5 && fit.range[1] <= 3.0 && fit.range[1] - fit.range[0] > 2.2);
+    let ends = [0.5 - 1e-9, 0.4, 3.0 + 1e-9, 3.1].map(|over_sigma| {
+        let separation_m = over_sigma * 1.5e-7;
+        SeparationPoint { separation_m, pressure_pa: law.pressure_pa(separation_m), ..points[20] }
+    });
+    assert_eq!(
+        GreenwoodTripp::fit(1e11, 1.5e-7, &ends).unwrap().range.map(|end| (2.0 * end).round()),
+        [1.0, 6.0]
+    );
+    assert!((GreenwoodTripp::fit(1e11, 1.5e-7, &ends).unwrap().range[0] - 0.5).abs() < 1e-6);
     assert_eq!(GreenwoodTripp::fit(1e11, 1e-9, &points), None);
     assert_eq!(GreenwoodTripp::fit(1e11, 1.5e-7, &[points[20], points[20]]), None);
 }

@@ -10,17 +10,14 @@ use units::{Area, Length};
 use super::LawArgs;
 use crate::args::{CounterfaceSurfaceArgs, ReadingArgs};
 
-/// Quantity of a law: of a table for finite elements, or the asperity pressure of mixed lubrication.
+/// Quantity of a table for finite elements, or the asperity pressure of mixed lubrication if there is none.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum LawQuantityArg {
-    Table(LawQuantity),
-    AsperityPressure,
-}
+pub(crate) struct LawQuantityArg(pub Option<LawQuantity>);
 
 pub(super) fn law_quantity() -> impl TypedValueParser<Value = LawQuantityArg> {
     let names = LawQuantity::ALL.iter().map(|quantity| quantity.name());
     PossibleValuesParser::new(names.chain([LubricationQuestion::QUANTITY]))
-        .map(|name| name.parse().map_or(LawQuantityArg::AsperityPressure, LawQuantityArg::Table))
+        .map(|name| LawQuantityArg(name.parse().ok()))
 }
 
 /// Options of asperity pressures.
@@ -45,14 +42,6 @@ pub(crate) struct LubricationArgs {
 }
 
 impl LawArgs {
-    /// The quantity of a table for finite elements; `None` for asperity pressures.
-    pub fn table_quantity(&self) -> Option<LawQuantity> {
-        match self.quantity {
-            LawQuantityArg::Table(quantity) => Some(quantity),
-            LawQuantityArg::AsperityPressure => None,
-        }
-    }
-
     /// The question of asperity pressures that these options ask.
     pub fn lubrication(&self) -> LubricationQuestion {
         let &LubricationArgs { separation_range, as_scanned, summit_density, summit_radius, rms_height } =
