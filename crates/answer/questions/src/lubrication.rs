@@ -15,7 +15,7 @@ use spectrum::Normalisation;
 use stat_contact::{GreenwoodTripp, PartialMoment, Population, SeparationPoint};
 use study::gap_law::GapError;
 use study::material::Material;
-use study::models::{Framework, ModelEntry};
+use study::models::{Choice, Framework, ModelEntry};
 use study::plan::{LoadRange, Needs, NominalPressure, Plan, PlanError};
 use study::surface::Surface;
 use units::{OutOfBounds, Pressure, Remark, RemarkCode};
@@ -243,15 +243,16 @@ impl LubricationQuestion {
         let law = self.by.law(entry, material, surface, progress)?;
         let rms_height_m = law.rms_height_m;
         let energy_factor = self.by.options.gamma.unwrap_or_default();
-        let medium = law.roughness().map(|roughness| medium(roughness, modulus_pa, energy_factor));
-        // Asperities that are pressed one by one move no mean plane, and heights that overlap are cut off.
-        let is_mean_gap = entry.framework == Framework::Persson;
+        let (is_persson, flows) = (entry.framework == Framework::Persson, entry.has(Choice::Strength));
+        let elastic = law.roughness().filter(|_| !flows);
+        let medium = elastic.map(|roughness| medium(roughness, modulus_pa, energy_factor));
         let row = |pressure_pa: f64| {
             let state = law.at(pressure_pa).ok()?;
-            let separation_m = state.mean_gap_m?;
+            let separation_m = state.mean_plane_distance_m?;
             let point = SeparationPoint { separation_m, pressure_pa, area_fraction: state.area_fraction };
+            // Asperities that are pressed one by one move no mean plane, and heights that overlap are cut off.
             let mean_gap_m =
-                if is_mean_gap { separation_m } else { overlapping_gap_m(separation_m, rms_height_m) };
+                if is_persson { state.mean_gap_m? } else { overlapping_gap_m(separation_m, rms_height_m) };
             Some(SurfaceRow { point, mean_gap_m, flow: medium.as_ref().and_then(|medium| medium(&point)) })
         };
         let rows = self.rows(material, rms_height_m, row)?;
@@ -263,7 +264,11 @@ impl LubricationQuestion {
         notes.extend(remarks_on_gap_law(&law, &loads));
         let areas = rows.iter().map(|row| (row.point.pressure_pa, row.point.area_fraction));
         notes.extend(self.by.doubts(material, areas, Some("bem")));
-        let mean_gap = if is_mean_gap { "The mean gap is the separation: nothing flows." } else { CUT_OFF };
+        let mean_gap = match (is_persson, flows) {
+            (true, false) => "The mean gap is the separation: nothing flows.",
+            (true, true) => "The separation is the mean gap less the mean depth that has flowed.",
+            (false, _) => CUT_OFF,
+        };
         let mut lines = vec![format!("{}: {}", entry.full_name, entry.citation), mean_gap.to_owned()];
         if rows.len() < ROWS as usize {
             lines.push("Rows at which the model has no gap are left out.".to_owned());
