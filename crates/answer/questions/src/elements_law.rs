@@ -115,12 +115,12 @@ impl ElementsLawQuestion {
             let loads = pressures_pa.into_iter().map(ImposedLoad::PressurePa).collect();
             elements::press_in_turn(&surfaces, &Pressing { loads, ..pressing.clone() }, progress)
         };
-        // Laws are cut off at 1/e of the least pressure.
-        let [from, to] = [range_pa[0].ln() - 1.0, range_pa[1].ln()];
-        let half = (0.5 * LOADS_PER_DECADE * (to - from) / std::f64::consts::LN_10).ceil() as usize;
-        let steps = 2 * half.max(2);
-        let inner = (0..steps).map(|at| (from + (to - from) * at as f64 / steps as f64).exp());
-        let mut loads = press(inner.chain([range_pa[1]]).collect())?;
+        let [from_pa, to_pa] = range_pa;
+        // Laws are cut off at 1/e of the least pressure, and need nothing in between.
+        let cut = [-1.0f64, -0.5].map(|log| from_pa * log.exp());
+        let half = (0.5 * LOADS_PER_DECADE * (to_pa / from_pa).log10()).ceil().max(1.0) as usize;
+        let inner = (0..2 * half).map(|at| from_pa * (to_pa / from_pa).powf(at as f64 / (2 * half) as f64));
+        let mut loads = press(cut.into_iter().chain(inner).chain([to_pa]).collect())?;
         let tolerance = self.check_error(ContactLaw::TOLERANCES)?;
         let mut law = loop {
             let law = ElementsLaw::through(&surfaces, range_pa, pressing.saturation_pa, loads)?;
@@ -164,6 +164,7 @@ impl ElementsLaw {
             let [from_pa, to_pa] = [at, at + 1].map(|at| loads[at].nominal_pressure_pa);
             return Err(SamplingError::NotClosing { from_pa, to_pa }.into());
         }
+        let from = range_pa[0].ln();
         let stiffnesses = loads.iter().map(|load| load.mean().stiffness_pa_per_m.map(f64::ln));
         let stiffnesses: Option<Vec<f64>> = stiffnesses.collect();
         let cubic = |values: Vec<f64>| MonotoneCubic::through(logs.clone(), values);
@@ -177,10 +178,10 @@ impl ElementsLaw {
             distances_m: (0..surfaces.realisations).map(of_surface).collect(),
             mean_gap_m: of_loads(&|load| load.mean().mean_gap_m),
             log_area: of_loads(&|load| load.mean().best_area_fraction().ln()),
-            error: half_of_left_out(&logs, &distances_m, |off_m, slope_m| (off_m / slope_m).abs()),
+            error: half_of_left_out(from, &logs, &distances_m, |off_m, slope_m| (off_m / slope_m).abs()),
             stiffness_error: stiffnesses
                 .as_ref()
-                .map_or(0.0, |values| half_of_left_out(&logs, values, |off, _| off.abs())),
+                .map_or(0.0, |values| half_of_left_out(from, &logs, values, |off, _| off.abs())),
             distance_m: cubic(distances_m),
             log_stiffness: stiffnesses.map(cubic),
             loads,
@@ -259,24 +260,23 @@ impl ElementsLaw {
     pub fn description(&self, spelling: &dyn Spelling) -> Vec<String> {
         let at_ends = |value: &dyn Fn(f64, &PressedLoad) -> String| {
             let of_end = |pressure_pa: f64| {
-                // Rounding of logarithms moves the pressed loads.
-                let above = self.loads.iter().find(|load| load.nominal_pressure_pa > 0.999_999 * pressure_pa);
-                above.map(|load| format!("{} at {}", value(pressure_pa, load), pressure(pressure_pa)))
+                let load = self.loads.iter().find(|load| load.nominal_pressure_pa >= pressure_pa);
+                load.map(|load| format!("{} at {}", value(pressure_pa, load), pressure(pressure_pa)))
             };
             self.range_pa.into_iter().filter_map(of_end).collect::<Vec<_>>().join(", ")
         };
         let percent = |share: f64| format!("{} %", three_digits(100.0 * share));
-        let range = |[least, largest]: [f64; 2], mean: f64| {
-            [least, largest].map(|end| three_digits(end / mean)).join(" to ")
+        let range = |values: &mut dyn Iterator<Item = f64>, mean: f64| match self.distances_m.len() {
+            1 => "unknown from one".to_owned(),
+            _ => ends(values).map(|end| three_digits(end / mean)).join(" to "),
         };
         let closed = |pressure_pa: f64, _: &PressedLoad| {
-            let mean_m = self.overclosure_m(&self.distance_m, pressure_pa);
-            self.overclosures_m(pressure_pa)
-                .map_or_else(|| "unknown".to_owned(), |ends_m| range(ends_m, mean_m))
+            let closed_m = |curve| self.overclosure_m(curve, pressure_pa);
+            range(&mut self.distances_m.iter().map(closed_m), closed_m(&self.distance_m))
         };
         let stiff = |_: f64, load: &PressedLoad| {
             let mean = load.mean().stiffness_pa_per_m.unwrap_or_default();
-            range(ends(load.states.iter().filter_map(|state| state.stiffness_pa_per_m)), mean)
+            range(&mut load.states.iter().filter_map(|state| state.stiffness_pa_per_m), mean)
         };
         let flows = |_: f64, load: &PressedLoad| {
             percent(load.mean().plastic_area_fraction / load.mean().area_fraction)
@@ -292,7 +292,10 @@ impl ElementsLaw {
                 || "They are elastic: no hardness is given.".to_owned(),
                 |hardness_pa| {
                     let hardness = pressure(hardness_pa);
-                    format!("They flow at the hardness {hardness}, of the contact {}.", at_ends(&flows))
+                    format!(
+                        "Share of the contact that flows at the hardness {hardness}: {}.",
+                        at_ends(&flows)
+                    )
                 },
             ),
             STIFFNESSES.to_owned(),
@@ -315,8 +318,8 @@ impl ElementsLaw {
     }
 }
 
-const STIFFNESSES: &str = "The slope of the law is the stiffness on loading. Contact that has flowed is stiffer on unloading, which the law \
-                           leaves out and which heat and current follow.";
+const STIFFNESSES: &str = "The slope of the law is the stiffness on loading. Contact that has flowed is stiffer on unloading: the law leaves \
+                           that out, and heat and current follow it.";
 
 fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], value| {
@@ -333,11 +336,12 @@ fn mean_distance_m(load: &PressedLoad) -> f64 {
     load.states.iter().map(distance_m).sum::<f64>() / load.states.len() as f64
 }
 
-/// Estimates the error between values: half of the largest one at values that are left out, as at a kink, where smooth curves have an
-/// eighth. `error` takes a difference and the slope.
-fn half_of_left_out(x: &[f64], values: &[f64], error: impl Fn(f64, f64) -> f64) -> f64 {
+/// Estimates the error between values beyond `from`: half of the largest one at values that are left out, as at a kink, where smooth
+/// curves have an eighth. `error` takes a difference and the slope.
+fn half_of_left_out(from: f64, x: &[f64], values: &[f64], error: impl Fn(f64, f64) -> f64) -> f64 {
     let every_second = |values: &[f64]| values.iter().step_by(2).copied().collect();
     let curve = MonotoneCubic::through(every_second(x), every_second(values));
-    let left_out = x.iter().zip(values).skip(1).step_by(2).map(|(x, value)| (curve.at(*x), value));
+    let left_out = x.iter().zip(values).skip(1).step_by(2).filter(|(x, _)| **x > from);
+    let left_out = left_out.map(|(x, value)| (curve.at(*x), value));
     0.5 * left_out.map(|((found, slope), value)| error(found - value, slope)).fold(0.0, f64::max)
 }
