@@ -1,7 +1,7 @@
 //! Loads that go on from each other, compared with loads pressed by themselves.
 
 use crate::common::{elastic, rough};
-use elements::half_space::{Elements, Grid, HalfSpaceError};
+use elements::half_space::{Elements, Ending, Grid, HalfSpaceError, Loading};
 use elements::{
     ContactField, ElementsError, ImposedLoad, PressedLoad, Pressing, RandomSurfaces, Surfaces, press,
     press_in_turn,
@@ -61,6 +61,32 @@ fn loads_in_turn_are_those_by_themselves_in_fewer_steps() {
         }
         println!("{saturation_pa:?}: {steps_in_turn} of {steps_alone} operators");
         assert!(steps_in_turn < steps_alone, "{saturation_pa:?}: {steps_in_turn} of {steps_alone}");
+    }
+}
+
+#[test]
+fn any_contact_is_a_start() {
+    let heights_m = rough(128, 4.0, 24, 5);
+    let grid = Grid::new(128, 128, 1.0, 1.0).unwrap();
+    let mut elements = Elements::periodic(grid, &heights_m).unwrap();
+    let loads = [1e-5, 1e-3, 0.03, 0.3];
+    for saturation_pa in [None, Some(0.5)] {
+        let load = |pressure_pa| Loading { saturation_pa, ..elastic(pressure_pa, 1e-6) };
+        let alone = loads.map(|pressure_pa| elements.press(&load(pressure_pa), &Unobserved).unwrap());
+        for start in &alone {
+            for (pressure_pa, alone) in loads.into_iter().zip(&alone) {
+                let found = elements.press_from(Some(start), &load(pressure_pa), &Unobserved).unwrap();
+                let [one, other] = [alone, &found].map(|contact| contact.numbers);
+                println!(
+                    "{saturation_pa:?} from {} to {pressure_pa}: {} for {} operators, {:?}",
+                    start.numbers.nominal_pressure_pa, other.operators, one.operators, other.ending
+                );
+                assert_eq!(other.ending, Ending::Converged, "{saturation_pa:?} at {pressure_pa}");
+                let points = (one.area_fraction - other.area_fraction) * heights_m.len() as f64;
+                assert!(points.abs() < 2.5, "{saturation_pa:?} at {pressure_pa}: {points}");
+                assert!((one.mean_gap_m / other.mean_gap_m - 1.0).abs() < 1e-5);
+            }
+        }
     }
 }
 
