@@ -424,10 +424,12 @@ fn comments_on_conductance_grow_with_what_it_leaves_out() {
         assert!(lines.iter().all(|line| line.len() > 20), "{lines:?}");
         (lines.len() - cautions, lines)
     };
-    let with = |name: &str, quantity| {
-        conducts(quantity, law(GapModel { material: hard(3e9), ..by(Some(name)) }, 1e5, 1e6))
+    let of = |hardness_pa: f64, name: &str, quantity| {
+        conducts(quantity, law(GapModel { material: hard(hardness_pa), ..by(Some(name)) }, 1e5, 1e6))
     };
-    // Model, formula, and what is clean; one more if the model yields, and one for the gas.
+    let with = |name: &str, quantity| of(90e9, name, quantity);
+    // Model, formula, and what is clean; one more if the model yields or leaves out that the contact does, and one for the gas.
+    assert_eq!(lines(&of(3e9, "persson", LawQuantity::Heat)).0, 4);
     let (count, elastic) = lines(&with("persson", LawQuantity::Heat));
     assert_eq!(count, 3);
     let modulus = units::display::pressure(STEEL_MODULUS_PA);
