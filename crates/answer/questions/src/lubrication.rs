@@ -98,7 +98,7 @@ impl LubricationQuestion {
         }
         if let LubricationRange::Separations([from, to]) = self.range {
             let error = |error: OutOfBounds| QuestionError::Value { option: "separation_range", error };
-            Bound::Magnitude.check("least separation over the rms height", from).map_err(error)?;
+            Bound::AtLeast(0.0).check("least separation over the rms height", from).map_err(error)?;
             let above = Bound::LeftOpen { above: from, at_most: LARGEST_SEPARATION };
             above.check("largest separation over the rms height", to).map_err(error)?;
         }

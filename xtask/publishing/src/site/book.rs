@@ -29,6 +29,7 @@ const CHAPTERS: [(&str, &str, &[&str]); 4] = [
             "contact-challenge.md",
             "nature.md",
             "flow.md",
+            "lubrication.md",
             "instruments.md",
             "spectrum.md",
         ],
