@@ -435,8 +435,9 @@ impl FoundConductance {
             )
         };
         let mut lines = match &self.spots {
-            Spots::Analogy { model, modulus_pa, .. } => {
-                vec![format!("{}: {}", model.full_name, model.citation), analogy(*modulus_pa, "this model")]
+            Spots::Analogy { model, law, modulus_pa, .. } => {
+                let stiffness = if law.yields() { "this model on unloading" } else { "this model" };
+                vec![format!("{}: {}", model.full_name, model.citation), analogy(*modulus_pa, stiffness)]
             }
             Spots::Elements { law, modulus_pa } => {
                 let mut lines = law.description(spelling);
@@ -477,7 +478,7 @@ impl FoundConductance {
     /// Describes what the conductance of the spots leaves out.
     fn caution(&self) -> Vec<String> {
         let mut lines = match &self.spots {
-            Spots::Analogy { model, .. } if model.has(Choice::Strength) => vec![
+            Spots::Analogy { model, law, .. } if model.has(Choice::Strength) && !law.yields() => vec![
                 "The model yields: K is the slope of its loading curve, and the elastic stiffness that the analogy takes is larger, \
                  so that this conductance is low."
                     .to_owned(),

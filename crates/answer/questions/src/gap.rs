@@ -2,7 +2,7 @@
 
 use elements::{PressedLoad, Pressing, Surfaces};
 use findings::doubts::{self, PressedBodies};
-use interface::finite_elements::{ContactLaw, ExponentialLaw};
+use interface::finite_elements::{Column, ContactLaw, ExponentialLaw, LawPoint, UnitSystem};
 use numerics::parallel::Progress;
 use persson::hardness_laws::{CappedHardness, HardnessGrowth};
 use persson::separation::LIGHT_CONTACT;
@@ -151,6 +151,24 @@ impl FoundLaw {
             .with("up_to_pa", law.holds_up_to_pa)
             .with("to_pa", self.range_pa[1]);
         Ok((law, (law.holds_up_to_pa < self.range_pa[1]).then_some(remark)))
+    }
+
+    /// Columns that plain tables have besides where peaks flow: mean gap, and stiffness on unloading.
+    #[must_use]
+    pub fn columns(&self, law: &ContactLaw, units: UnitSystem) -> Vec<Column> {
+        if !self.law.yields() {
+            return Vec::new();
+        }
+        let (pa, m) = (units.pressure_symbol(), units.length_symbol());
+        let column = |name: String, value: fn(GapState) -> Option<f64>, unit: f64| {
+            let at = |point: &LawPoint| Some(value(self.law.at(point.pressure_pa).ok()?)? * unit);
+            Column { name, values: law.points.iter().map(at).collect() }
+        };
+        let stiffness = units.pressure(1.0) / units.length(1.0);
+        vec![
+            column(format!("mean_gap_{m}"), |state| state.mean_gap_m, units.length(1.0)),
+            column(format!("unloading_stiffness_{pa}_per_{m}"), |state| state.stiffness_pa_per_m, stiffness),
+        ]
     }
 
     /// Samples the law between its pressures, straight within a relative `tolerance` of the pressure. `progress` advances once

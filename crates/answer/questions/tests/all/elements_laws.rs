@@ -205,3 +205,24 @@ fn an_elastic_closed_form_says_by_how_much_it_is_off_where_the_contact_flows() {
     }
     assert_eq!(lines("ep-sphere", hard(2e9)).0, 1);
 }
+
+#[test]
+fn a_closed_form_that_yields_has_columns_of_its_gap_and_of_unloading() {
+    let law = |name: &str| {
+        let by = GapModel { material: hard(3e9), ..by(Some(name)) };
+        let law = LawQuestion { by, from: Pressure::Pascals(1e6), to: Pressure::Pascals(1e8) };
+        let found = law.answer(&surface(), &Unobserved).unwrap();
+        let sampled = found.sampled(0.05, &Unobserved).unwrap();
+        let columns = found.columns(&sampled, UnitSystem::Si);
+        (found, sampled, columns)
+    };
+    let (found, sampled, columns) = law("persson-plastic");
+    let [gaps_m, stiffnesses] =
+        ["mean_gap_m", "unloading_stiffness_Pa_per_m"].map(|name| values(&columns, name));
+    for ((gap_m, stiffness), point) in gaps_m.iter().zip(&stiffnesses).zip(&sampled.points) {
+        let state = found.law.at(point.pressure_pa).unwrap();
+        assert_eq!((Some(*gap_m), Some(*stiffness)), (state.mean_gap_m, state.stiffness_pa_per_m));
+        assert!(*gap_m >= point.mean_gap_m);
+    }
+    assert!(law("persson").2.is_empty());
+}

@@ -74,7 +74,9 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
             match args.form.unwrap_or(LawForm::Table) {
                 LawForm::Table => {
                     let sampled = found.sampled(args.error, &progress)?;
-                    args.dialect.table(&sampled, args.units, &heading, &[])?
+                    let mut columns = found.columns(&sampled, args.units);
+                    columns.retain(|_| args.dialect == Dialect::Csv);
+                    args.dialect.table(&sampled, args.units, &heading, &columns)?
                 }
                 LawForm::Exponential => {
                     let (law, remark) = found.exponential(args.error)?;
