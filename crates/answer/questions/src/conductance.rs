@@ -36,7 +36,7 @@ const USUAL_POISSON_RATIO: f64 = 0.3;
 /// points each.
 const LOW_BY_FLOW: &str = "The contact flows, and this K is elastic. On unloading, which conductance follows, boundary elements have 1.05 \
                            times K where 7 % flows, 1.5 to 2.3 times at 95 % and 5.9 to 7.1 times at 99 %: this conductance is low. The \
-                           model bem has it.";
+                           models persson-plastic and bem have it.";
 
 /// Quantity that a law has over the nominal pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]

@@ -9,6 +9,7 @@ mod counts;
 mod curve;
 mod elements;
 mod elements_law;
+mod elements_law_question;
 mod error;
 #[cfg(feature = "transport")]
 pub mod flow;
@@ -38,7 +39,8 @@ pub use conductance::{FoundConductance, LawAnswer, LawQuantity, LawTableQuestion
 pub use counts::{CurveCounts, CutCounts, LevelCounts};
 pub use curve::{CurveQuestion, CurveStream, PreparedCurve};
 pub use elements::{ElementsLoad, ElementsQuestion, Prepared, PreparedElements, RandomInput};
-pub use elements_law::{ElementsLaw, ElementsLawAnswer, ElementsLawQuestion};
+pub use elements_law::ElementsLaw;
+pub use elements_law_question::{ElementsLawAnswer, ElementsLawQuestion};
 pub use error::QuestionError;
 pub use gap::{FoundLaw, GapModel, GapQuestion, LawForm, LawQuestion, remarks_on_gap_law};
 pub use indenter::{IndenterQuestion, PreparedIndenter};

@@ -200,7 +200,9 @@ impl LubricationQuestion {
                 pressures_pa(ends, material, ROWS)?.filter_map(row).collect()
             }
             LubricationRange::Separations(ends) => evenly(ends, ROWS)
-                .filter_map(|over_rms| pressure_at_pa(over_rms * rms_height_m, modulus_pa, separation_m))
+                .filter_map(|over_rms| {
+                    pressure_at_pa(over_rms * rms_height_m, [rms_height_m, modulus_pa], separation_m)
+                })
                 .filter_map(&row)
                 .collect(),
         })
@@ -302,10 +304,15 @@ fn overlapping_gap_m(separation_m: f64, rms_height_m: f64) -> f64 {
 }
 
 /// Finds the pressure \[Pa\] at which a separation that falls with it has a value \[m\]; `None` if it never has.
-fn pressure_at_pa(wanted_m: f64, modulus_pa: f64, separation_m: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+fn pressure_at_pa(
+    wanted_m: f64,
+    [scale_m, modulus_pa]: [f64; 2],
+    separation_m: impl Fn(f64) -> Option<f64>,
+) -> Option<f64> {
     // Without a separation everything touches, or has flowed.
-    let excess =
-        |ln_pressure: f64| separation_m(ln_pressure.exp()).map_or(-1.0, |found_m| found_m / wanted_m - 1.0);
+    let excess = |ln_pressure: f64| {
+        separation_m(ln_pressure.exp()).map_or(-1.0, |found_m| (found_m - wanted_m) / scale_m)
+    };
     let mut decades = (0..200).map(|at| modulus_pa.ln() - LN_10 * f64::from(at));
     let light = decades.find(|ln_pressure| excess(*ln_pressure) > 0.0)?;
     let ln_pressure = zero_in_bracket(light, light + LN_10, excess);

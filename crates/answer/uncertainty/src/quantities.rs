@@ -64,9 +64,17 @@ impl<'p> Quantities<'p> {
                     .find(is_its)
                     .map(|area| QuantityInterval::in_proportion(*slot, value, area));
             }
-            let of_shut = slot.quantity.is_of_leak().then_some(SHUT);
+            let known = || drawn.iter().filter_map(|draw| draw.as_ref()?[at]);
+            let missing = match slot.quantity {
+                // A seal that is shut leaks nothing, and where all has flowed no gap is left.
+                Quantity::MeanGap => Some(SHUT),
+                quantity if quantity.is_of_leak() => Some(SHUT),
+                // Contact that has flowed altogether is as stiff as any other draw at least.
+                quantity if quantity.follows_stiffness() => known().reduce(f64::max),
+                _ => None,
+            };
             let ln_values: Vec<f64> =
-                drawn.iter().filter_map(|draw| draw.as_ref()?[at].or(of_shut)).collect();
+                drawn.iter().filter_map(|draw| draw.as_ref()?[at].or(missing)).collect();
             let found = match best.as_ref().and_then(|best| best[at]) {
                 // Leaks scatter over decades to one side, and their mirror image is not an interval.
                 Some(best) => percentiles_about(best, &ln_values, level),

@@ -264,7 +264,8 @@ remark_codes! {
     NegativeGaps "gaps.gap-counts" Note
         "at {loads} of {all} loads the mean gap is negative: the model ignores that asperities push their neighbours down";
     MissingGaps "gaps.gap-counts" Note
-        "at {loads} of {all} loads there is no mean gap: more than 3 % of the contact is plastic, it is complete, or all spheres are flattened";
+        "at {loads} of {all} loads there is no mean gap: contact is complete, all of it flows or all spheres are flattened, or more than 3 % \
+         flows on a layer or at a hardness that grows";
     NotGaussianMoments "not-gaussian" Note
         "nayak_alpha lies below 1.5 (down to {least_alpha#}) at [the cutoff {wavelength_m}][{cutoffs} cutoffs between {longest_m} and \
          {shortest_m}]: no Gaussian isotropic surface has such moments, for which the asperity parameters are derived";

@@ -3,8 +3,8 @@
 use asperity::{AsperityError, MaterialPair};
 
 use crate::asperities::answers::Asperities;
+use crate::asperities::exponential_heights::ExponentialHeights;
 use crate::asperities::hertz_ellipses::ElasticSummits;
-use crate::exponential::ExponentialSpheres;
 use crate::quadrature::Precision;
 use crate::quadrature::frames::Frames;
 use crate::{AsperityLaw, Condition, ContactState, NayakSummits, Population, StateTable, Sweep};
@@ -31,7 +31,7 @@ impl StatisticalContact {
     /// ([`SummitHeights::Exponential`](crate::SummitHeights::Exponential)).
     #[must_use]
     pub fn from_exponential(pair: &MaterialPair, population: &Population) -> Self {
-        let asperities = Box::new(ExponentialSpheres::new(pair, population));
+        let asperities = Box::new(ExponentialHeights::new(pair, population));
         StatisticalContact { asperities, sigma_s_m: population.sigma_s_m() }
     }
 

@@ -3,6 +3,7 @@
 use approx::{AbsDiffEq, RelativeEq};
 
 use crate::asperities::answers::{Asperities, Response};
+use crate::exponential::{ExponentialSpheres, ExponentialState};
 use crate::gaussian::density::{log_reference_density, reference_density, tail};
 
 /// State of a population in contact with a flat.
@@ -68,6 +69,25 @@ impl ContactState {
     #[must_use]
     pub fn stiffness_pa_per_m(&self) -> Option<f64> {
         self.decay_length_m.map(|decay_length_m| self.pressure_pa / decay_length_m)
+    }
+
+    /// State of spheres with exponential heights at a separation \[m\].
+    pub(crate) fn of_exponential(spheres: &ExponentialSpheres, separation_m: f64) -> Self {
+        let ExponentialState { ln_pressure_pa, ln_area_fraction, decay_length_m } =
+            spheres.at_separation(separation_m);
+        ContactState {
+            separation_m: Some(separation_m),
+            pressure_pa: ln_pressure_pa.exp(),
+            area_fraction: ln_area_fraction.exp().min(1.0),
+            ln_pressure_pa,
+            ln_area_fraction: ln_area_fraction.min(0.0),
+            error_estimate: 4.0 * f64::EPSILON * (1.0 + ln_pressure_pa.abs()),
+            evaluations: 0,
+            out_of_range_load_share: 0.0,
+            flattened_share: None,
+            clamped: ln_area_fraction > 0.0,
+            decay_length_m: Some(decay_length_m),
+        }
     }
 
     /// State of integrals at a separation \[m\] that is u sigma_s within rounding. The caller fills in the evaluations.

@@ -73,7 +73,7 @@ impl<'a> Sweep<'a> {
     pub fn at_separation(&mut self, separation_m: f64) -> Result<ContactState, AsperityError> {
         let separation_m = Self::SEPARATION_M.check("separation in m", separation_m)?;
         if let Some(spheres) = self.frames.asperities.exponential() {
-            return Ok(spheres.at_separation(separation_m));
+            return Ok(ContactState::of_exponential(spheres, separation_m));
         }
         let state = self.state_at_separation(separation_m);
         Ok(state.with_flattened_share(self.frames.asperities, self.frames.sigma_s_m))
@@ -101,7 +101,8 @@ impl<'a> Sweep<'a> {
         let pressure_pa = Bound::Positive.check("pressure in Pa", pressure_pa)?;
         let pressure_pa = Self::PRESSURE_PA.check("pressure in Pa", pressure_pa)?;
         if let Some(spheres) = self.frames.asperities.exponential() {
-            return Ok(spheres.at_pressure(pressure_pa));
+            let state = ContactState::of_exponential(spheres, spheres.separation_m(pressure_pa));
+            return Ok(ContactState { pressure_pa, ln_pressure_pa: pressure_pa.ln(), ..state });
         }
         let state = self.state_at_pressure(pressure_pa);
         Ok(state.with_flattened_share(self.frames.asperities, self.frames.sigma_s_m))

@@ -7,7 +7,7 @@ use stat_contact::{GreenwoodTripp, GreenwoodTrippFit, Population, SeparationPoin
 use study::gap_law::GapError;
 use tables::Table;
 use units::display::{length, percent, pressure, three_digits};
-use units::{Remark, Spelling};
+use units::{Remark, RemarkLevel, Spelling};
 
 use super::SurfaceRow;
 use crate::QuestionError;
@@ -19,15 +19,16 @@ const NO_ROWS: &str =
     "no separation of the range has a pressure; choose smaller separations or other pressures";
 const NO_FIT: &str = "No Greenwood-Tripp law is fitted: fewer than two rows lie between h/sigma = 0.5 and 3.";
 const SEPARATION: &str = "Pressures are nominal, force over the area that seems to touch. h is nominal_separation_m, the distance of \
-                          the mean planes of both faces; mean_gap_m is the mean of the open gap over all points.";
+                          the mean planes of both faces; mean_gap_m is the mean of the open gap over all points. Above the last row \
+                          asperities carry next to nothing.";
 const INTEGRALS: &str =
     "F_n(x) is the integral of (s - x)^n over the standard normal density of s from x on.";
 const UNIDENTIFIED: &str = "Since sigma is known, this fit has two numbers: areas fix eta beta sigma, pressure and area together \
                             sigma/beta; eta and beta apart follow by sigma. Pressures alone fix (eta beta sigma)^2 sqrt(sigma/beta) \
                             E*, and a length where sigma is free, but neither eta nor beta nor the area.";
 const FLOW: &str = "A fluid of viscosity mu flows at flow_factor mean_gap_m^3/(12 mu) per width and pressure gradient; single surfaces \
-                    are between flow_factor_low and _high. patir_cheng_flow_factor = 1 - 0.90 exp(-0.56 h/sigma) of isotropic faces \
-                    that do not deform multiplies h^3 (Patir & Cheng 1978, J. Lubr. Technol. 100:12).";
+                    are between flow_factor_low and _high. Empty where none is known. patir_cheng_flow_factor = 1 - 0.90 exp(-0.56 h/sigma) of isotropic faces \
+                    that do not deform multiplies h^3, from h/sigma = 0.5 on (Patir & Cheng 1978, J. Lubr. Technol. 100:12).";
 
 /// Table of asperity pressures for a solver, with what its reader has to know.
 #[derive(Debug)]
@@ -47,7 +48,9 @@ impl FoundLubrication {
     /// Describes source, laws, conventions and every caution in lines, for the comments of a file.
     #[must_use]
     pub fn description(&self, spelling: &dyn Spelling) -> Vec<String> {
-        self.lines.iter().cloned().chain(cautions(&self.notes, spelling)).collect()
+        let notes = self.notes.iter().filter(|note| note.level != RemarkLevel::Caution);
+        let notes = notes.map(|note| format!("Note: {}.", note.words(spelling)));
+        self.lines.iter().cloned().chain(notes).chain(cautions(&self.notes, spelling)).collect()
     }
 }
 
@@ -86,8 +89,9 @@ impl Card {
         let fitted = |of: fn(&GreenwoodTripp, f64) -> f64| {
             points.iter().map(move |point| fit.map(|fit| of(&fit.law, point.separation_m)))
         };
-        let patir_cheng =
-            |over_rms: f64| (over_rms >= PATIR_CHENG_FROM).then(|| 1.0 - 0.90 * (-0.56 * over_rms).exp());
+        let patir_cheng = |over_rms: f64| {
+            (over_rms >= PATIR_CHENG_FROM - 1e-9).then(|| 1.0 - 0.90 * (-0.56 * over_rms).exp())
+        };
         let mut table = Table::default()
             .with_numbers("nominal_pressure_pa", points.iter().map(|point| point.pressure_pa))
             .with_numbers("area_fraction", points.iter().map(|point| point.area_fraction))

@@ -225,7 +225,7 @@ fn options_that_change_nothing_are_refused() {
     }
     let correlation = LawTableQuestion { correlation: Some(PlasticCorrelation::Yovanovich), ..law.clone() };
     assert!(matches!(persson().check(&correlation), Err(QuestionError::ConductanceOnly(_))));
-    for (from, to) in [(3.0, 0.5), (0.0, 1.0), (f64::NAN, 1.0), (1.0, 50.0), (1.0, f64::NAN)] {
+    for (from, to) in [(3.0, 0.5), (-0.1, 1.0), (f64::NAN, 1.0), (1.0, 50.0), (1.0, f64::NAN)] {
         let question = separations(by(Some("persson")), from, to);
         assert!(
             matches!(question.check(&law), Err(QuestionError::Value { option: "separation_range", .. })),

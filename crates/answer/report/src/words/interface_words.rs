@@ -110,14 +110,17 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     let light = states.light_loads();
     let mut notes = light.map_or_else(Vec::new, |light| {
         let remarks = remarks_on_separation(&light, states.roughness(), states.rms_height_m(), least_pa);
-        remarks.iter().map(|remark| remark.words(&SceneKeys)).collect()
+        // Peaks that flow are nearer.
+        let least_gaps = states.mean_gap_under_m(least_pa).unwrap_or(0.0) / states.rms_height_m();
+        let counts = |remark: &&Remark| remark.number("few_touch").is_none_or(|few| least_gaps > few);
+        remarks.iter().filter(counts).map(|remark| remark.words(&SceneKeys)).collect()
     });
     if states.request.band == Band::Profile {
         notes.push(Remark::new(RemarkCode::WavesOfProfiles).words(&SceneKeys));
     }
     let plastic = loads_where(scene, |load| {
         let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
-        Some(format!(" ({} of the contact)", percent(share)))
+        Some(format!(" ({} of the contact, by a theory that overstates it)", percent(share)))
     });
     notes.extend(plastic.map(|loads| match states.leaves_out_yielding() {
         true => format!(

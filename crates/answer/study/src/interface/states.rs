@@ -605,9 +605,12 @@ impl<'a> InterfaceStates<'a> {
         let conduct = || {
             let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
             let pressure_over_tight = self.pressure_pa(load) / sealing.tight_pressure_pa();
-            flow.conductance(pressure_over_tight, self.elastic_separation(load).mean_gap_m)
+            flow.conductance(pressure_over_tight, self.separation(load)?.gap.mean_gap_m)
         };
-        *self.elastic.conductances[load].get_or_init(conduct)
+        match self.constant_hardness_pa() {
+            Some(_) => conduct(),
+            None => *self.elastic.conductances[load].get_or_init(conduct),
+        }
     }
 
     /// Returns the share of the area in contact under a load that decides a seal, by a fit to boundary elements; `None` without a seal.

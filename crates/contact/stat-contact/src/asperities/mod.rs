@@ -7,6 +7,7 @@ pub mod bem_sines;
 pub mod elastic_plastic_sines;
 pub mod elastic_plastic_spheres;
 pub mod elastic_sines;
+pub mod exponential_heights;
 pub mod gradient_breaks;
 pub mod gradient_law;
 pub mod gradient_sines;
