@@ -26,9 +26,10 @@ const INTEGRALS: &str =
 const UNIDENTIFIED: &str = "Since sigma is known, this fit has two numbers: areas fix eta beta sigma, pressure and area together \
                             sigma/beta; eta and beta apart follow by sigma. Pressures alone fix (eta beta sigma)^2 sqrt(sigma/beta) \
                             E*, and a length where sigma is free, but neither eta nor beta nor the area.";
-const FLOW: &str = "A fluid of viscosity mu flows at flow_factor mean_gap_m^3/(12 mu) per width and pressure gradient; single surfaces \
-                    are between flow_factor_low and _high. Empty where none is known. patir_cheng_flow_factor = 1 - 0.90 exp(-0.56 h/sigma) of isotropic faces \
-                    that do not deform multiplies h^3, from h/sigma = 0.5 on (Patir & Cheng 1978, J. Lubr. Technol. 100:12).";
+const FLOW: &str = "A fluid of viscosity mu flows at flow_factor mean_gap_m^3/(12 mu) per width and pressure gradient. flow_factor_low \
+                    and _high are the range of single surfaces: that of trials for closed forms, a standard deviation with the error of \
+                    the grid for elements. Empty where none is known. patir_cheng_flow_factor = 1 - 0.90 exp(-0.56 h/sigma) of isotropic \
+                    faces that do not deform multiplies h^3, from h/sigma = 0.5 on (Patir & Cheng 1978, J. Lubr. Technol. 100:12).";
 
 /// Table of asperity pressures for a solver, with what its reader has to know.
 #[derive(Debug)]
@@ -174,7 +175,7 @@ pub(super) fn of_summits(
     let on_plane = format!(
         "Summits by spectral moments (McCool 1987, J. Tribol. 109:264) down to the cutoff of {}, which they depend on. One rough face on \
          a plane, with the roughness of the sum: {}, the mean summit {} above the mean plane; p = (4/3) eta E* sqrt(R) sigma_s^(3/2) \
-         F_3/2, h from there (Greenwood & Williamson 1966, Proc. R. Soc. A 295:300).",
+         F_3/2 with h from the mean summit (Greenwood & Williamson 1966, Proc. R. Soc. A 295:300).",
         length(moments.wavelength_m),
         triple(&sum, ["R", "sigma_s"]),
         length(offset_m)
@@ -182,7 +183,7 @@ pub(super) fn of_summits(
     let rms_height_m = moments.rms_height_m();
     let of_two = format!(
         "{of}: {} Their h is that of the mean summits, {} less than that of the mean planes; with the latter in its place the pressure \
-         at h = {} would be {} of what it is.",
+         at h = {} would be {} of that.",
         of_law(&law),
         length(offsets_m),
         length(rms_height_m),

@@ -26,6 +26,8 @@ const ROWS: u32 = 11;
 const LEAST_TRIED_AREA: f64 = 0.02;
 /// Length of a wave over the side of the seal whose range of flow is taken.
 const WAVE: f64 = 0.1;
+const FREE_EDGES: &str =
+    "a map that does not repeat itself is pressed by loads, not to separations; give a range of pressures";
 const NO_MAP: &str = "the surface holds no map to press as scanned; give the scan of a map";
 
 /// Flow factors of a surface by the effective medium of Persson's gaps, at points whose separation is the mean gap; `None` for
@@ -92,6 +94,15 @@ impl LubricationQuestion {
             (Surfaces::Random(random), notes, source)
         };
         let mut lines = vec![format!("Boundary elements: {source}.")];
+        if matches!(&surfaces, Surfaces::Maps(maps) if maps.iter().any(|map| map.boundary == Boundary::Free))
+        {
+            if matches!(self.range, LubricationRange::Separations(_)) {
+                return Err(QuestionError::Other(FREE_EDGES.to_owned()));
+            }
+            lines.push(
+                "Edges are free: the separation is that of the faces as they bend under the load.".to_owned(),
+            );
+        }
         let rms_height_m = rms_height_m(&surfaces);
         pressing.loads = match self.range {
             LubricationRange::Pressures(ends) => {

@@ -56,6 +56,12 @@ fn summits_maps_and_scenes_take_the_place_of_a_spectrum() {
     let map = "map.txt:unit=um,size=10um --model bem --as-scanned --pressure-range 1GPa:10GPa";
     let (comments, rows) = parts(&card(&bench, &format!("{map}{BODIES}")).ok());
     assert!(comments.contains("1 map as scanned") && rows.len() == 11 && rows[0][7].is_some());
+    let hill = |y: i32| -> String {
+        (0..32).map(|x| format!("{:.4} ", (f64::from(x * x) * 0.01 + f64::from(y) * 0.2).sin())).collect()
+    };
+    bench.write("hill.txt", (0..32).map(|y| hill(y) + "\n").collect::<String>());
+    let map = "hill.txt:unit=um,size=100um --model bem --as-scanned --separation-range 0.5:1";
+    card(&bench, &format!("{map}{BODIES}")).refused_naming(&["range of pressures"]);
 
     bench.write(
         "scene.toml",

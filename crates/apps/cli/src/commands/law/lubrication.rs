@@ -15,6 +15,7 @@ use crate::commands::reading_options;
 use crate::commands::run_scene::read_scene;
 use crate::failure::Failure;
 use crate::flags::{Flags, refuse_first};
+use crate::memory;
 use crate::place::Place;
 use crate::progress::Progress;
 use crate::timings::Timings;
@@ -28,6 +29,7 @@ pub(super) fn run(args: &LawArgs, context: &Context<'_>) -> Result<(), Failure> 
     let fixed = [("units", args.units != UnitSystem::Si), ("error", args.error != ContactLaw::TOLERANCE)];
     refuse_first(fixed, reason)?;
     question.check(&args.question())?;
+    memory::refuse_beyond(args.random.grid)?;
     let mut timings = Timings::start();
     let progress = Progress::counting("steps");
     let (found, mut comments) = match &args.psd.psd[..] {

@@ -113,7 +113,7 @@ const WALKS: &[Walk] = &[
     ),
     (
         "law",
-        "map.txt:unit=um,size=10um --model bem --as-scanned --material silver --quantity asperity-pressure --dialect csv \
+        "in/map.txt:unit=um,size=10um --model bem --as-scanned --material silver --quantity asperity-pressure --dialect csv \
          --pressure-range 1MPa:50MPa",
         &[],
     ),
