@@ -14,7 +14,8 @@ from truearea._results import FloatArray, Table
 class Gaps(Drawn, Table):
     """Mean gap and stiffness of a surface with its whole spectrum, a row for each load; NaN where a model has none.
 
-    The stiffness is K = -dp/du, never by differences; u0 and p00 are those of u = u0 ln(p00/p), which Persson's theory follows at
+    The mean gap is that of the open gap, and the distance of the mean planes less by the mean depth that has flowed. The stiffness is K =
+    -dp/du, never by differences, and that of unloading where peaks have flowed; u0 and p00 are those of u = u0 ln(p00/p), which Persson's theory follows at
     light loads.
     """
 
@@ -24,6 +25,7 @@ class Gaps(Drawn, Table):
     nominal_pressure_pa: FloatArray
     area_fraction: FloatArray
     mean_gap_m: FloatArray
+    mean_plane_distance_m: FloatArray
     stiffness_pa_per_m: FloatArray
     u0_m: FloatArray
     p00_pa: FloatArray

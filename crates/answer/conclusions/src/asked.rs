@@ -86,7 +86,10 @@ impl PeakState {
         let share = of_maps.or_else(|| states.plastic_share(load)).unwrap_or(0.0);
         match area.source {
             _ if share <= MOST_PLASTIC_SHARE => PeakState::Elastic,
-            Source::Elements(Reference::Growing | Reference::Elastic) => PeakState::Unknown,
+            Source::Elements(Reference::Growing) => PeakState::Unknown,
+            Source::Elements(Reference::Elastic) if states.inputs.hardness_grows => PeakState::Unknown,
+            // Elements are elastic where the mean pressure of the contact stays below the hardness.
+            Source::Elements(Reference::Elastic) => PeakState::Partly,
             _ if share <= FLOWED_SHARE => PeakState::Partly,
             _ => PeakState::Flowed,
         }

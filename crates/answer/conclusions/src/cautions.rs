@@ -158,8 +158,8 @@ fn elastic_formulas(loads: &[AnswerUnderLoad], states: &InterfaceStates<'_>) -> 
     let leaks = states.request.seal.is_some_and(|seal| seal.joint.is_some());
     let what = match (leaks, states.request.shear.is_some()) {
         _ if states.inputs.pair.layer_compliance().is_some() => "gap and stiffness",
-        (true, true) => "leaks and tangential loads",
-        (true, false) => "leaks",
+        (true, true) => "channels of leaks and tangential loads",
+        (true, false) => "channels of leaks",
         (false, true) => "tangential loads",
         (false, false) => return None,
     };

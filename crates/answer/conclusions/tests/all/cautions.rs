@@ -264,12 +264,12 @@ fn a_gap_of_peaks_that_flow_is_doubted_where_a_leak_or_a_shear_takes_it() {
     let joint = "[seal]\npressure_drop = \"100 kPa\"\nviscosity = \"1 mPa s\"\nbreadth = \"100 mm\"\nlength = \"2 mm\"";
     let (found, largest, what) = share(soft, "off = true", joint);
     assert!(largest > 0.03 && found == Some(largest), "{found:?} {largest}");
-    assert_eq!(what.as_deref(), Some("leaks"));
+    assert_eq!(what.as_deref(), Some("channels of leaks"));
     let shear = "[interface]\ntangential_stress = \"10 kPa\"\nfriction = 0.5\n";
     let (found, largest, what) = share(soft, "off = true", shear);
     assert_eq!((found, what.as_deref()), (Some(largest), Some("tangential loads")));
     let both = share(soft, "off = true", &format!("{shear}{joint}")).2;
-    assert_eq!(both.as_deref(), Some("leaks and tangential loads"));
+    assert_eq!(both.as_deref(), Some("channels of leaks and tangential loads"));
     // A seal without a rate, and a gap alone, have their own states; hard bodies do not flow.
     assert_eq!(share(soft, "off = true", "[seal]").0, None);
     assert_eq!(share(soft, "off = true", "[interface]").0, None);

@@ -25,7 +25,8 @@ const INTEGRALS: &str =
     "F_n(x) is the integral of (s - x)^n over the standard normal density of s from x on.";
 const UNIDENTIFIED: &str = "Since sigma is known, this fit has two numbers: areas fix eta beta sigma, pressure and area together \
                             sigma/beta; eta and beta apart follow by sigma. Pressures alone fix (eta beta sigma)^2 sqrt(sigma/beta) \
-                            E*, and a length where sigma is free, but neither eta nor beta nor the area.";
+                            E*, and a length where sigma is free, but neither eta nor beta nor the area. They are \
+                            numbers of a fit, and no geometry of summits.";
 const FLOW: &str = "A fluid of viscosity mu flows at flow_factor mean_gap_m^3/(12 mu) per width and pressure gradient. flow_factor_low \
                     and _high are the range of single surfaces: that of trials for closed forms, a standard deviation with the error of \
                     the grid for elements. Empty where none is known. patir_cheng_flow_factor = 1 - 0.90 exp(-0.56 h/sigma) of isotropic \

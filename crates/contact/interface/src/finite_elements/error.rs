@@ -24,7 +24,8 @@ pub enum SamplingError<E> {
         to_pa: f64,
     },
     /// The gap at a pressure is unknown.
-    #[error("there is no mean gap at {}; end the range of pressures before", pressure(*.pressure_pa))]
+    #[error("there is no mean gap at {}, where contact is complete, or flows at a hardness that grows (strain_gradient, hardness_law); end \
+         the range of pressures before", pressure(*.pressure_pa))]
     NoGap {
         /// Pressure \[Pa\].
         pressure_pa: f64,
