@@ -116,6 +116,16 @@ mod tests {
     }
 
     #[test]
+    fn the_depth_below_a_level_is_its_mean_over_the_lower_heights() {
+        let rule = GaussLegendre::new(120);
+        for level in [-2.0, -0.3, 1.0, 4.0] {
+            let depth = |(z, weight): (f64, f64)| weight * (level - z) * density(z);
+            let integral: f64 = rule.over(-12.0, level).map(depth).sum();
+            assert!((mean_depth_below(level) / integral - 1.0).abs() < 1e-12, "{level}");
+        }
+    }
+
+    #[test]
     fn bessel_functions_agree_with_their_integral() {
         let rule = GaussLegendre::new(200);
         for x in [0.0, 0.3, 7.0, 24.999, 25.001, 900.0] {

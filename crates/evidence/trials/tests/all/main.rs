@@ -8,3 +8,4 @@ mod gap_trials;
 mod judge_trials;
 mod scene_trials;
 mod window_excess;
+mod yielding;
