@@ -185,3 +185,57 @@ impl FlowedSurface<'_> {
         2.0 * (below + beyond.sum::<f64>())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::EnergyFactor;
+    use crate::separation::SeparationKnot;
+
+    /// Waves from 1e4 rad/m to a multiple of that, of even height over ln q.
+    fn waves(width: f64) -> Waves {
+        let knot = |at: i32| {
+            let q = 1e4 * width.powf(f64::from(at) / 40.0);
+            let variance_pa2 = 1e16 * ((q / 1e4).powi(2) - 1.0);
+            SeparationKnot { wavevector_rad_per_m: q, variance_pa2, variance_exponent: 2.0 }
+        };
+        let knots: Vec<SeparationKnot> = (0..=40).map(knot).collect();
+        Waves::from_law(&SeparationLaw::new(&knots, 1e11, EnergyFactor::ALMQVIST)).unwrap()
+    }
+
+    /// At a high level t, spots are paraboloids whose heights over it are exponential, of the mean s/t, and whose curvature is t h'^2/(2 s):
+    /// sum 2 a over the area is t A q/(2 sqrt(pi)) with q = h'/s.
+    #[test]
+    fn few_spots_far_apart_are_punches_of_their_own_radii() {
+        let waves = waves(1.5);
+        for share in [1e-6, 1e-9, 1e-12] {
+            let factor = waves.flowed(share, 1e-9).spot_factor();
+            let expected = level_of_share(share) / (2.0 * std::f64::consts::PI.sqrt());
+            // Their heights have that distribution but for terms in 1/t^2.
+            let within = 2.0 / level_of_share(share).powi(2);
+            assert!((factor / expected - 1.0).abs() < within, "{share}: {factor} {expected}");
+        }
+    }
+
+    #[test]
+    fn long_waves_bend_and_short_ones_stay() {
+        let waves = waves(100.0);
+        let [soft, hard] = [1e-9, 0.1].map(|ratio| waves.flowed(0.05, ratio));
+        assert!(hard.rms_height_m < 0.9 * soft.rms_height_m);
+        let kept = |surface: &FlowedSurface<'_>, at: usize| {
+            surface.shares[at] * surface.rms_height_m.powi(2) / waves.bands[at].mean_square_height_m2
+        };
+        let last = waves.bands.len() - 1;
+        assert!(kept(&hard, 0) < 0.1 && kept(&hard, last) > 0.85, "{} {}", kept(&hard, 0), kept(&hard, last));
+        assert!((kept(&soft, 0) - 1.0).abs() < 1e-5);
+        // kappa s = 2 (H/E*) phi(t), with the share 1/(1 + kappa/q)^2 of each wave.
+        let q = waves.bands[0].wavevector_rad_per_m;
+        let kappa_per_m = q * (kept(&hard, 0).sqrt().recip() - 1.0);
+        let slope = 0.2 * density(level_of_share(0.05));
+        assert!((kappa_per_m * hard.rms_height_m / slope - 1.0).abs() < 1e-9);
+        // A hardness that flattens all waves leaves none.
+        let flattened = waves.flowed(0.5, 100.0);
+        assert_eq!((flattened.mean_gap_m(), flattened.mean_plane_distance_m()), (0.0, 0.0));
+        assert!(flattened.spot_factor() > 0.0);
+    }
+}
