@@ -42,7 +42,7 @@ cargo xtask web [--test]       builds the page for browsers as a static folder, 
 Crates of evidence:
 cargo xtask stress [--states N] [--seed S] [--threads T] [--only I]
                                holds random extreme states against the promises of every result: docs/develop/stress.md
-cargo xtask trials models|judge|layers|gaps|flatness|flow|flattening [--anew]
+cargo xtask trials models|judge|layers|gaps|flatness|flow|flattening|yielding [--anew]
                                compares models, the judge, and what theory says of each with boundary elements, and rewrites
                                their tables in docs; presses missing surfaces only, --anew all of them (an hour)
 cargo xtask trials scenes FOLDER [--program PATH] [--anew]

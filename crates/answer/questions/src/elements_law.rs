@@ -61,11 +61,7 @@ impl ElementsLaw {
             hardness_pa,
             distances_m: (0..surfaces.realisations).map(of_surface).collect(),
             mean_gap_m: of_loads(&|load| load.mean().mean_gap_m),
-            // What flows carries its hardness at most.
-            log_area: of_loads(&|load| {
-                let least = hardness_pa.map_or(0.0, |hardness_pa| load.nominal_pressure_pa / hardness_pa);
-                load.mean().best_area_fraction().max(least).ln()
-            }),
+            log_area: of_loads(&|load| load.area_fraction(hardness_pa).ln()),
             error: half_of_left_out(from, &logs, &distances_m, |off_m, slope_m| (off_m / slope_m).abs()),
             stiffness_error: stiffnesses
                 .as_ref()

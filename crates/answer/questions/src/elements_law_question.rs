@@ -115,7 +115,10 @@ impl ElementsLawQuestion {
         };
         law.notes = by.notes(&material, surface);
         law.notes.extend(made.into_iter().chain(remarks_on_pressed(&law.loads)));
-        law.notes.extend(remarks_on_gaps(&states_of_elements(&law.loads), Some(law.rms_height_m)));
+        law.notes.extend(remarks_on_gaps(
+            &states_of_elements(&law.loads, pressing.saturation_pa),
+            Some(law.rms_height_m),
+        ));
         Ok(if is_pressure {
             ElementsLawAnswer::Pressure(Box::new(law))
         } else {

@@ -336,13 +336,42 @@ impl PressedFlow {
         Ok(flow)
     }
 
-    /// Makes the table of pressed surfaces, of their means or of each: with the flow factors, and with paths that are open if fluid
-    /// flows. The notes on paths are those of the flow as well.
+    /// Returns the means of the surfaces under each load, with paths that are open if fluid flows. The notes on paths are those of the flow
+    /// as well.
+    #[must_use]
+    pub(crate) fn means(self, loads: &mut [PressedLoad], notes: &mut Vec<Remark>) -> Vec<MeanFlow> {
+        let found = self.settled(loads, notes);
+        found.chunk_by(|one, next| one.load == next.load).map(MeanFlow::new).collect()
+    }
+
+    /// Makes the table of pressed surfaces, of their [means](Self::means) or of each, with the flow factors.
     ///
     /// Further columns: `flow_factor_x, flow_factor_y`, of means `flow_factor_x_sd, flow_factor_y_sd` (standard deviation over the
     /// surfaces), `flow_factor_x_error, flow_factor_y_error` (mean error by the spacing of the points), and `flow_residual`.
     #[must_use]
     pub fn table(self, loads: &mut [PressedLoad], notes: &mut Vec<Remark>, of_each: bool) -> Table {
+        let found = self.settled(loads, notes);
+        let is_together = |one: &SurfaceFlow, next: &SurfaceFlow| !of_each && one.load == next.load;
+        let groups: Vec<&[SurfaceFlow]> = found.chunk_by(is_together).collect();
+        let means: Vec<MeanFlow> = groups.iter().copied().map(MeanFlow::new).collect();
+        let mut table = if of_each { states_table(loads) } else { means_table(loads) };
+        for (axis, name) in ["flow_factor_x", "flow_factor_y"].into_iter().enumerate() {
+            table = table.with_numbers(name, means.iter().map(|mean| mean.factors[axis]));
+        }
+        if !of_each {
+            for (axis, name) in ["flow_factor_x_sd", "flow_factor_y_sd"].into_iter().enumerate() {
+                table = table.with_numbers(name, means.iter().map(|mean| mean.deviations[axis]));
+            }
+        }
+        for (axis, name) in ["flow_factor_x_error", "flow_factor_y_error"].into_iter().enumerate() {
+            table = table.with_numbers(name, means.iter().map(|mean| mean.errors[axis]));
+        }
+        let residual = |group: &&[SurfaceFlow]| group.iter().map(|flow| flow.residual).fold(0.0, f64::max);
+        table.with_numbers("flow_residual", groups.iter().map(residual))
+    }
+
+    /// Sorts the flows by load and surface, and tells loads and notes of them.
+    fn settled(self, loads: &mut [PressedLoad], notes: &mut Vec<Remark>) -> Vec<SurfaceFlow> {
         let mut found = self.found.into_inner().unwrap_or_else(PoisonError::into_inner);
         found.sort_by_key(|flow| (flow.load, flow.surface));
         for SurfaceFlow { load, surface, factors: [along_x, along_y], .. } in &found {
@@ -354,31 +383,30 @@ impl PressedFlow {
             notes.push(Remark::new(RemarkCode::FlowInChannel));
         }
         notes.extend(closed_from(loads));
-        let groups: Vec<&[SurfaceFlow]> = if of_each {
-            found.chunks(1).collect()
-        } else {
-            found.chunk_by(|one, next| one.load == next.load).collect()
+        found
+    }
+}
+
+/// Flow factors along x and y: means of surfaces, their standard deviations, and the mean errors by the spacing of the points.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MeanFlow {
+    pub factors: [f64; 2],
+    pub deviations: [Option<f64>; 2],
+    pub errors: [Option<f64>; 2],
+}
+
+impl MeanFlow {
+    fn new(flows: &[SurfaceFlow]) -> Self {
+        let factors = |axis: usize| flows.iter().map(move |flow| flow.factors[axis]);
+        let error = |axis: usize| {
+            let errors: Option<Vec<f64>> = flows.iter().map(|flow| flow.errors[axis]).collect();
+            errors.map(|errors| mean(errors.into_iter()))
         };
-        let factors =
-            |axis: usize| groups.iter().map(move |group| group.iter().map(move |flow| flow.factors[axis]));
-        let mut table = if of_each { states_table(loads) } else { means_table(loads) };
-        for (axis, name) in ["flow_factor_x", "flow_factor_y"].into_iter().enumerate() {
-            table = table.with_numbers(name, factors(axis).map(mean));
+        MeanFlow {
+            factors: [0, 1].map(|axis| mean(factors(axis))),
+            deviations: [0, 1].map(|axis| deviation(factors(axis))),
+            errors: [0, 1].map(error),
         }
-        if !of_each {
-            for (axis, name) in ["flow_factor_x_sd", "flow_factor_y_sd"].into_iter().enumerate() {
-                table = table.with_numbers(name, factors(axis).map(deviation).collect::<Vec<_>>());
-            }
-        }
-        for (axis, name) in ["flow_factor_x_error", "flow_factor_y_error"].into_iter().enumerate() {
-            let errors = groups.iter().map(|group| {
-                let errors: Option<Vec<f64>> = group.iter().map(|flow| flow.errors[axis]).collect();
-                errors.map(|errors| mean(errors.into_iter()))
-            });
-            table = table.with_numbers(name, errors.collect::<Vec<_>>());
-        }
-        let residual = |group: &&[SurfaceFlow]| group.iter().map(|flow| flow.residual).fold(0.0, f64::max);
-        table.with_numbers("flow_residual", groups.iter().map(residual))
     }
 }
 

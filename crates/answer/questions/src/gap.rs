@@ -2,11 +2,11 @@
 
 use elements::{PressedLoad, Pressing, Surfaces};
 use findings::doubts::{self, PressedBodies};
+use interface::conductance::MOST_PLASTIC_SHARE;
 use interface::finite_elements::{Column, ContactLaw, ExponentialLaw, LawPoint, UnitSystem};
 use numerics::parallel::Progress;
-use persson::hardness_laws::{CappedHardness, HardnessGrowth};
+use persson::Band;
 use persson::separation::LIGHT_CONTACT;
-use persson::{Band, PerssonModel};
 use serde::{Deserialize, Serialize};
 use spectrum::Normalisation;
 use study::gap_law::{GapChoices, GapLaw, GapState};
@@ -27,9 +27,6 @@ use crate::{Answer, MaterialInput, QuestionError, SamplingInput};
 
 /// The light-load law holds within this share of the pressure.
 const LIGHT_LOADS_SHARE: f64 = 0.01;
-
-/// Share of the contact that may flow before an elastic law says by how much it is off.
-const MOST_FLOWS: f64 = 0.03;
 
 /// Ranges of boundary elements that yield over the elastic theory, on 72 spectra (`docs/develop/trials.md`, After yielding); slopes are
 /// those between two loads.
@@ -115,7 +112,7 @@ pub struct FoundLaw {
     pub range_pa: [f64; 2],
     /// Notes for the reader of the law.
     pub notes: Vec<Remark>,
-    /// Shares of the contact that flow at both ends of the range, where an elastic model leaves out that more than [`MOST_FLOWS`] does.
+    /// Shares of the contact that flow at both ends of the range, where an elastic model leaves out that more than [`MOST_PLASTIC_SHARE`] does.
     pub(crate) flows: Option<[f64; 2]>,
 }
 
@@ -357,7 +354,7 @@ impl GapQuestion {
         let rms_height_m = random.band.mean_square_height_m2().sqrt();
         let surfaces = Surfaces::Random(random);
         let pressed = elements::press::<QuestionError>(&surfaces, pressing, |_| Ok(()), progress)?;
-        let states = states_of_elements(&pressed);
+        let states = states_of_elements(&pressed, pressing.saturation_pa);
         notes.extend(remarks_on_pressed(&pressed));
         notes.extend(remarks_on_gaps(&states, Some(rms_height_m)));
         Ok((states, notes))
@@ -401,33 +398,21 @@ impl LawQuestion {
             law,
             range_pa,
             notes,
-            flows: flows.filter(|[from, to]| from.max(*to) > MOST_FLOWS),
+            flows: flows.filter(|[from, to]| from.max(*to) > MOST_PLASTIC_SHARE),
         })
     }
 
     /// Shares of the contact that flow at both ends of the range by Persson's theory; `None` without a hardness, and on a layer.
     fn flows(&self, material: &Material, surface: &Surface, progress: &dyn Progress) -> Option<[f64; 2]> {
-        let hardness_pa = material.hardness_pa().filter(|_| material.pair.layer().is_none())?;
-        let elastic =
-            |entry: &&ModelEntry| entry.framework == Framework::Persson && !entry.has(Choice::Strength);
-        let theory = study::models::with_gaps().find(elastic)?;
-        let by = GapModel {
-            model: Some(theory),
-            options: ModelOptions::default(),
-            normalisation: None,
-            tolerance: None,
-            ..self.by.clone()
-        };
+        material.hardness_pa()?;
+        let flowing =
+            |entry: &&ModelEntry| entry.framework == Framework::Persson && entry.has(Choice::Strength);
+        let theory = study::models::with_gaps().find(flowing)?;
+        let options = ModelOptions::default();
+        let by = GapModel { options, normalisation: None, tolerance: None, ..self.by.clone() };
         let law = by.law(theory, material, surface, progress).ok()?;
-        let hardness = CappedHardness::new(HardnessGrowth::Constant { hardness_pa }, None).ok()?;
-        let contact_modulus_pa = material.pair.composite_modulus_pa();
-        let flowing = PerssonModel::ElasticPlastic { contact_modulus_pa, hardness };
-        let share = |pressure_pa: f64| {
-            let areas = flowing.areas_at_last(law.roughness()?, pressure_pa).ok()??;
-            Some(areas.plastic / areas.contact())
-        };
         let [from_pa, to_pa] = self.range_pa(material).ok()?;
-        Some([share(from_pa)?, share(to_pa)?])
+        Some([law.flowed_share(from_pa)?, law.flowed_share(to_pa)?])
     }
 
     pub(crate) fn range_pa(&self, material: &Material) -> Result<[f64; 2], QuestionError> {
@@ -485,13 +470,13 @@ pub(crate) fn remarks_on_gaps(states: &[GapState], rms_height_m: Option<f64>) ->
     remarks.into_iter().flatten().collect()
 }
 
-/// States of boundary elements in the form of models: the mean of all surfaces under each load.
-pub(crate) fn states_of_elements(loads: &[PressedLoad]) -> Vec<GapState> {
+/// States of boundary elements in the form of models: the mean of all surfaces under each load, which flow at a hardness \[Pa\], if any.
+pub(crate) fn states_of_elements(loads: &[PressedLoad], hardness_pa: Option<f64>) -> Vec<GapState> {
     let state = |load: &PressedLoad| {
         let mean = load.mean();
         GapState {
             nominal_pressure_pa: load.nominal_pressure_pa,
-            area_fraction: mean.best_area_fraction(),
+            area_fraction: load.area_fraction(hardness_pa),
             mean_gap_m: Some(mean.mean_gap_m),
             mean_plane_distance_m: Some(mean.mean_gap_m - mean.mean_plastic_depth_m),
             stiffness_pa_per_m: mean.stiffness_pa_per_m,

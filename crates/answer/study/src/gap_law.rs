@@ -67,6 +67,15 @@ impl GapLaw {
         self.surface.persson().is_some_and(PerssonSurface::yields)
     }
 
+    /// Share of the contact that flows under a nominal pressure > 0 \[Pa\] by Persson's theory, which overstates it; `None` unless the
+    /// model is one where peaks flow at a constant hardness.
+    #[must_use]
+    pub fn flowed_share(&self, pressure_pa: f64) -> Option<f64> {
+        let PerssonSurface { model, roughness, .. } =
+            self.surface.persson().filter(|surface| surface.yields())?;
+        Some(model.areas_at_last(roughness, pressure_pa).ok()??.plastic_share())
+    }
+
     /// The law of light loads of elastic peaks, where the model is Persson's theory.
     #[must_use]
     pub fn light_loads(&self) -> Option<LightLoads> {

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+pub mod gaussian;
 mod legendre;
 mod line;
 mod linear_system;

@@ -78,6 +78,14 @@ impl PressedLoad {
         }
     }
 
+    /// Best available area of surfaces that flow at a hardness \[Pa\], if any: contact carries the hardness at most, and so p/H touches at
+    /// least, though corrected areas may be less.
+    #[must_use]
+    pub fn area_fraction(&self, hardness_pa: Option<f64>) -> f64 {
+        let least = hardness_pa.map_or(0.0, |hardness_pa| self.nominal_pressure_pa / hardness_pa);
+        self.mean().best_area_fraction().max(least)
+    }
+
     /// Returns true if the grid is fine enough for an extrapolation. A grid that resolves the spots leaves a
     /// corrected error of first order in the spacing that makes areas too small, so that they grow with every finer
     /// grid. On a coarser grid the corrected area still falls, and an extrapolation would mislead. The mean over all

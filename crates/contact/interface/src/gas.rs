@@ -7,10 +7,11 @@
 //!
 //! h_g = (k_g/sigma)/sqrt(2 pi) Int_0^inf exp(-(Y/sigma - t)^2/2)/(t + M/sigma) dt.
 
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use numerics::{GaussLegendre, zero_in_bracket};
+use numerics::GaussLegendre;
+use numerics::gaussian::level_of_share;
 use serde::{Deserialize, Serialize};
 use units::{Bound, OutOfBounds, named};
 
@@ -212,17 +213,8 @@ impl GapGas {
 /// P/H of the nominal area touches \[m\]; `None` where everything touches. `rms_height_m` is sigma \[m\].
 #[must_use]
 pub fn plastic_separation_m(rms_height_m: f64, pressure: PressureRatio) -> Option<f64> {
-    /// Below -8 all Gaussian heights touch, and above 38 none, to double precision.
-    const RANGE: [f64; 2] = [-8.0, 38.0];
-    let touching = |separation: f64| 0.5 * libm::erfc(separation / SQRT_2);
-    if pressure.value() >= touching(RANGE[0]) {
-        return None;
-    }
-    let wanted = pressure.value().ln();
-    let separation = zero_in_bracket(RANGE[0], RANGE[1], |separation| {
-        touching(separation).max(f64::MIN_POSITIVE).ln() - wanted
-    });
-    Some(rms_height_m * separation)
+    let touching = pressure.value();
+    (touching < 1.0).then(|| rms_height_m * level_of_share(touching))
 }
 
 /// Integral of exp(-(separation - t)^2/2)/(t + parameter) over t > 0, over sqrt(2 pi).

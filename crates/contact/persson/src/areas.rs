@@ -20,4 +20,10 @@ impl ContactAreas {
     pub fn contact(&self) -> f64 {
         self.elastic + self.plastic
     }
+
+    /// Share of the contact that is plastic, in \[0, 1\].
+    #[must_use]
+    pub fn plastic_share(&self) -> f64 {
+        self.plastic / self.contact()
+    }
 }

@@ -1,36 +1,14 @@
 //! The part of a Gaussian surface that stands above a level: heights z are in units of their standard deviation, with the density
 //! phi(z) = exp(-z^2/2)/sqrt(2 pi).
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
+use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use numerics::{GaussLegendre, newton_in_bracket};
+use numerics::GaussLegendre;
+use numerics::gaussian::{density, share_above};
 
 /// Height above the level, in standard deviations, beyond which nothing counts beside what is lower.
 const HIGHEST: f64 = 8.0;
-
-/// Density of the heights.
-pub(crate) fn density(z: f64) -> f64 {
-    (-0.5 * z * z).exp() / TAU.sqrt()
-}
-
-/// Share of the surface above a level.
-pub(crate) fn share_above(level: f64) -> f64 {
-    0.5 * libm::erfc(FRAC_1_SQRT_2 * level)
-}
-
-/// Level above which a share in (0, 1) of the surface stands.
-pub(crate) fn level_of_share(share: f64) -> f64 {
-    if share > 0.5 {
-        // The complement keeps its digits: it is exact for shares from a half on.
-        return -level_of_share(1.0 - share);
-    }
-    // Of ln(share above) the slope is that of a nearly straight line in the far tail.
-    newton_in_bracket(0.0, 38.0, 1.0, |level| {
-        let above = share_above(level);
-        (share.ln() - above.ln(), density(level) / above)
-    })
-}
 
 /// Mean distance from the level down to the surface where that is lower, phi(t) + t \[1 - Q(t)\] at a level t.
 pub(crate) fn mean_depth_below(level: f64) -> f64 {
@@ -104,16 +82,9 @@ fn bessel_i0_scaled(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::f64::consts::TAU;
 
-    #[test]
-    fn levels_and_shares_are_inverse() {
-        for share in [1e-200, 1e-12, 0.02, 0.5, 0.7, 1.0 - 1e-12] {
-            let level = level_of_share(share);
-            let within = 1e-14 * (1.0 + level * level);
-            assert!((share_above(level) / share - 1.0).abs() < within, "{share}");
-        }
-    }
+    use super::*;
 
     #[test]
     fn the_depth_below_a_level_is_its_mean_over_the_lower_heights() {

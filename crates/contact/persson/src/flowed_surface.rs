@@ -16,9 +16,10 @@
 use std::f64::consts::LN_10;
 use std::sync::OnceLock;
 
+use numerics::gaussian::{density, level_of_share, share_above};
 use numerics::{minimum_in_bracket, zero_in_bracket};
 
-use crate::excursion::{density, level_of_share, mean_depth_below, punch_load, punch_pairs, share_above};
+use crate::excursion::{mean_depth_below, punch_load, punch_pairs};
 use crate::separation::{SeparationLaw, Wave};
 
 /// Waves, and distances, per decade.

@@ -92,8 +92,7 @@ impl YieldingLaw {
         if pressure_pa >= hardness_pa {
             return None;
         }
-        let areas = constant_hardness::areas(pressure_pa, self.spread_pa, hardness_pa);
-        let share = areas.plastic / areas.contact();
+        let share = constant_hardness::areas(pressure_pa, self.spread_pa, hardness_pa).plastic_share();
         let flowed = self.waves.as_ref().filter(|_| share > 0.0).map(|waves| {
             let modulus_pa = self.elastic.contact_modulus_pa();
             (share, waves.flowed(pressure_pa / hardness_pa, hardness_pa / modulus_pa))
@@ -120,8 +119,10 @@ impl Limits<'_> {
 mod tests {
     use super::*;
     use crate::EnergyFactor;
-    use crate::excursion::{level_of_share, mean_depth_below};
+    use crate::excursion::mean_depth_below;
     use crate::separation::SeparationKnot;
+
+    use numerics::gaussian::level_of_share;
 
     const MODULUS_PA: f64 = 1e11;
 

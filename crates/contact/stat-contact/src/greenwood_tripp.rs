@@ -48,6 +48,9 @@ impl GreenwoodTripp {
     /// Separations over sigma that count in a [`fit`](Self::fit): 0.5 to 3, with rounding.
     pub const FITTED: RangeInclusive<f64> = 0.499_999..=3.000_001;
 
+    /// Least range of separations over sigma that tells one law from another.
+    pub const LEAST_SPAN: f64 = 1.0;
+
     /// Creates the contact of two alike faces under a contact modulus E* \[Pa\], 1/E* the sum of (1 - nu^2)/E over both; `summits` has
     /// eta and beta of each face, and sigma of both together.
     ///
@@ -89,7 +92,7 @@ impl GreenwoodTripp {
     /// amplitude of the area is (eta beta sigma)^2, that of the pressure (eta beta sigma)^2 sqrt(sigma/beta) E*. Pressures alone have
     /// neither eta nor beta; both follow from both amplitudes and sigma.
     ///
-    /// `None` for fewer than two separations in the range, and amplitudes out of bounds.
+    /// `None` for points that span less than [`LEAST_SPAN`](Self::LEAST_SPAN) of the range, and amplitudes out of bounds.
     #[must_use]
     pub fn fit(
         contact_modulus_pa: f64,
@@ -101,6 +104,9 @@ impl GreenwoodTripp {
             points.iter().filter(|point| Self::FITTED.contains(&place(point))).collect();
         counted.sort_by(|one, other| one.separation_m.total_cmp(&other.separation_m));
         let range = [place(counted.first()?), place(counted.last()?)];
+        if range[1] - range[0] < Self::LEAST_SPAN {
+            return None;
+        }
         let last = counted.len() - 1;
         let mean = |of: &dyn Fn(&SeparationPoint) -> f64| {
             let weighted = (0..=last).map(|at| {

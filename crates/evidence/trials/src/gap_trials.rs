@@ -19,6 +19,7 @@ use units::display::three_digits;
 use crate::TrialError;
 use crate::elements::digits;
 use crate::judge_spectra::{CONTACT_MODULUS_PA, JudgeTrial, Kind, RMS_GRADIENT, Set, trials as judge_trials};
+use crate::statistics::mean_and_relative_error;
 
 /// Light loads p/(E* h') of every trial: areas from 1e-4 to 0.012.
 pub const LIGHT_LOADS: [f64; 5] = [5e-5, 2e-4, 7e-4, 2e-3, 5e-3];
@@ -202,9 +203,10 @@ pub fn rows_under(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, Tria
     }
     let rms_height_m = theory.surface.rms_height_m;
     let row = |(pressure_over_gradient, load): (&f64, &PressedLoad)| {
-        let (gap_m, gap_error) = mean(load.states.iter().map(|state| state.numbers.mean_gap_m));
+        let (gap_m, gap_error) =
+            mean_and_relative_error(load.states.iter().map(|state| state.numbers.mean_gap_m));
         let (stiffness_pa_per_m, stiffness_error) =
-            mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
+            mean_and_relative_error(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
         theory.beside(&GapRow {
             kind: trial.kind,
             number: trial.number,
@@ -223,19 +225,10 @@ pub fn rows_under(trial: &JudgeTrial, loads: &[f64]) -> Result<Vec<GapRow>, Tria
 /// Returns true if gap and stiffness under a load are known well enough, or if the load is too light to matter.
 fn is_known(load: &PressedLoad) -> bool {
     let errors = [
-        mean(load.states.iter().map(|state| state.numbers.mean_gap_m)).1,
-        mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m)).1,
+        mean_and_relative_error(load.states.iter().map(|state| state.numbers.mean_gap_m)).1,
+        mean_and_relative_error(load.states.iter().filter_map(|state| state.stiffness_pa_per_m)).1,
     ];
     !MODERATE.contains(&load.mean().best_area_fraction()) || errors.iter().all(|error| *error <= TRUTH_ERROR)
-}
-
-/// Mean of some values, and its relative standard error.
-fn mean(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let values: Vec<f64> = values.collect();
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-    (mean, (squares / (count * (count - 1.0))).sqrt() / mean)
 }
 
 /// Returns the page with a new table; its text is written by hand.

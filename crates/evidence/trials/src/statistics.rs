@@ -27,6 +27,16 @@ impl Mean {
     }
 }
 
+/// Computes the mean of values and its relative standard error s/(sqrt(n) mean), of few values not widened.
+#[must_use]
+pub fn mean_and_relative_error(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let values: Vec<f64> = values.collect();
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+    (mean, (squares / (count * (count - 1.0))).sqrt() / mean)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -38,5 +48,7 @@ mod tests {
         // Student's t of 2 degrees of freedom is 4.3027, that of the normal distribution 1.95996.
         assert!((mean.standard_error - 4.3027 / 1.95996 / 3f64.sqrt()).abs() < 1e-4);
         assert_eq!(Mean::new([1.0].into_iter()).standard_error, f64::INFINITY);
+        let (mean, error) = mean_and_relative_error([1.0, 2.0, 3.0].into_iter());
+        assert!(mean == 2.0 && (error - 0.5 / 3f64.sqrt()).abs() < 1e-15);
     }
 }

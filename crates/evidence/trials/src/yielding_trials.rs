@@ -18,6 +18,7 @@ use crate::TrialError;
 use crate::elements::digits;
 use crate::judge_spectra::Set;
 use crate::spectra::{BOX_M, CONTACT_MODULUS_PA, RMS_GRADIENT, WaveBand};
+use crate::statistics::mean_and_relative_error;
 
 /// Surfaces of each trial.
 const SURFACES: u64 = 4;
@@ -206,13 +207,14 @@ impl YieldingTrial {
             };
             let pressed = press::<ElementsError>(&surfaces, &pressing, |_| Ok(()), &Unobserved)?;
             for (load_over_hardness, load) in self.loads_over_hardness.into_iter().zip(&pressed) {
-                let numbers =
-                    |of: fn(&ContactNumbers) -> f64| mean(load.states.iter().map(|state| of(&state.numbers)));
+                let numbers = |of: fn(&ContactNumbers) -> f64| {
+                    mean_and_relative_error(load.states.iter().map(|state| of(&state.numbers)))
+                };
                 let (gap_m, gap_error) = numbers(|numbers| numbers.mean_gap_m);
                 let (area_fraction, _) = numbers(|numbers| numbers.area_fraction);
                 let (flowed, _) = numbers(|numbers| numbers.plastic_area_fraction);
                 let (stiffness_pa_per_m, stiffness_error) =
-                    mean(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
+                    mean_and_relative_error(load.states.iter().filter_map(|state| state.stiffness_pa_per_m));
                 rows.push(YieldingRow {
                     hurst_exponent: self.band.hurst_exponent,
                     first_wave: self.band.first_wave,
@@ -283,15 +285,6 @@ impl YieldingTrial {
         };
         rows.iter().map(beside).collect()
     }
-}
-
-/// Mean of some values, and its relative standard error.
-fn mean(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let values: Vec<f64> = values.collect();
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / count;
-    let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
-    (mean, (squares / (count * (count - 1.0))).sqrt() / mean)
 }
 
 /// Returns the page with its table of gaps and stiffnesses after yielding.

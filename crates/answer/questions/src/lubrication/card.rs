@@ -17,7 +17,7 @@ use crate::gap::cautions;
 const PATIR_CHENG_FROM: f64 = 0.5;
 const NO_ROWS: &str =
     "no separation of the range has a pressure; choose smaller separations or other pressures";
-const NO_FIT: &str = "No Greenwood-Tripp law is fitted: fewer than two rows lie between h/sigma = 0.5 and 3.";
+const NO_FIT: &str = "No Greenwood-Tripp law is fitted: the rows span less than 1 of h/sigma = 0.5 to 3.";
 const SEPARATION: &str = "Pressures are nominal, force over the area that seems to touch. h is nominal_separation_m, the distance of \
                           the mean planes of both faces; mean_gap_m is the mean of the open gap over all points. Above the last row \
                           asperities carry next to nothing.";
@@ -39,7 +39,7 @@ pub struct FoundLubrication {
     /// separation_over_rms_height, fitted_pressure_pa, fitted_area_fraction, flow_factor_x, flow_factor_y, flow_factor_low,
     /// flow_factor_high, patir_cheng_flow_factor`.
     pub table: Table,
-    /// The Greenwood-Tripp law nearest to the rows; `None` for fewer than two of them in its range.
+    /// The Greenwood-Tripp law nearest to the rows; `None` if they span too little of its range.
     pub fit: Option<GreenwoodTrippFit>,
     /// Notes for the reader.
     pub notes: Vec<Remark>,

@@ -131,7 +131,7 @@ impl LubricationQuestion {
             let point = SeparationPoint {
                 separation_m: mean.mean_gap_m - mean.mean_plastic_depth_m,
                 pressure_pa: load.nominal_pressure_pa,
-                area_fraction: mean.best_area_fraction(),
+                area_fraction: load.area_fraction(saturation_pa),
             };
             SurfaceRow { point, mean_gap_m: mean.mean_gap_m, flow }
         };
@@ -171,21 +171,16 @@ fn press(
 ) -> Result<PressedWithFlow, QuestionError> {
     #[cfg(feature = "transport")]
     {
-        let flow = crate::flow::PressedFlow::new(None, surfaces)?;
+        use crate::flow::{MeanFlow, PressedFlow};
+        let flow = PressedFlow::new(None, surfaces)?;
         let see = |field: &elements::ContactField<'_>| flow.solve(field, progress).map(drop);
         let mut pressed = elements::press::<QuestionError>(surfaces, pressing, see, progress)?;
-        let table = flow.table(&mut pressed, notes, false);
-        let value = |name: String, row: usize| match table.column(&name) {
-            Some(tables::Cells::Numbers(numbers)) => numbers[row].unwrap_or(0.0),
-            _ => 0.0,
-        };
-        let factors = |row: usize| {
-            let of = |axis: &str, end: &str| value(format!("flow_factor_{axis}{end}"), row);
-            let [(x, off_x), (y, off_y)] =
-                ["x", "y"].map(|axis| (of(axis, ""), of(axis, "_sd").hypot(of(axis, "_error"))));
+        let factors = |MeanFlow { factors: [x, y], deviations, errors }: MeanFlow| {
+            let [off_x, off_y] =
+                [0, 1].map(|axis| deviations[axis].unwrap_or(0.0).hypot(errors[axis].unwrap_or(0.0)));
             Some([x, y, (x - off_x).min(y - off_y).max(0.0), (x + off_x).max(y + off_y)])
         };
-        let flows = (0..pressed.len()).map(factors).collect();
+        let flows = flow.means(&mut pressed, notes).into_iter().map(factors).collect();
         Ok((pressed, flows))
     }
     #[cfg(not(feature = "transport"))]

@@ -21,11 +21,11 @@ pub fn random_surfaces(random: &RandomSurfaces) -> String {
     )
 }
 
-/// The error for a load that is not below the saturation, which `option` sets.
+/// The error for a load that is not below the pressure at which the surface yields.
 #[must_use]
-pub fn cannot_be_carried(nominal_pressure_pa: f64, saturation_pa: f64, option: &str) -> String {
+pub fn cannot_be_carried(nominal_pressure_pa: f64, saturation_pa: f64) -> String {
     format!(
-        "{} is more than the saturation can carry: {option} is {}; use a smaller pressure or a larger saturation",
+        "{} is more than a surface that yields at {} can carry; use a smaller pressure, or a larger saturation or hardness",
         pressure(nominal_pressure_pa),
         pressure(saturation_pa)
     )

@@ -118,8 +118,17 @@ fn of_the_gap(states: &InterfaceStates<'_>, scene: &Scene) -> Vec<String> {
     if states.request.band == Band::Profile {
         notes.push(Remark::new(RemarkCode::WavesOfProfiles).words(&SceneKeys));
     }
+    let is_all_flowed = |load: usize| {
+        states.inputs.hardness_pa.is_some_and(|hardness_pa| loads[load].nominal_pressure_pa() >= hardness_pa)
+    };
+    let all = loads_where(scene, |load| alone(is_all_flowed(load)));
+    notes.extend(all.map(|loads| {
+        format!("at {loads} the load exceeds the hardness: everything touches and flows, no gap is left, and stiffness, heat and current have \
+                 no limit")
+    }));
     let plastic = loads_where(scene, |load| {
-        let share = states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE)?;
+        let share =
+            states.plastic_share(load).filter(|share| *share > MOST_PLASTIC_SHARE && !is_all_flowed(load))?;
         Some(format!(" ({} of the contact, by a theory that overstates it)", percent(share)))
     });
     notes.extend(plastic.map(|loads| match states.leaves_out_yielding() {

@@ -82,7 +82,7 @@ pub fn error(error: &QuestionError, spelling: &dyn Spelling) -> String {
         QuestionError::Elements(ElementsError::HalfSpace(HalfSpaceError::CannotBeCarried {
             nominal_pressure_pa,
             saturation_pa,
-        })) => elements_words::cannot_be_carried(*nominal_pressure_pa, *saturation_pa, &name("saturation")),
+        })) => elements_words::cannot_be_carried(*nominal_pressure_pa, *saturation_pa),
         error => error.to_string(),
     }
 }

@@ -1,20 +1,22 @@
 //! The quantities of an interface, from the roughness, the bodies and the loads.
 
+mod sealing;
+mod separation;
+
 use std::sync::{Arc, OnceLock};
 
 use ::interface::OutOfBounds;
 use ::interface::conductance::{CutSurface, PlasticCorrelation, PressureRatio, RelativeStiffness, Spot};
 use ::interface::friction::SlidingContact;
 use ::interface::gas::plastic_separation_m;
-use ::interface::leak::LeakRate;
 use ::interface::tangential::{ShearedContact, ShearedPair};
 use asperity::MaterialPair;
 use persson::Band;
 use persson::corrections::Correction;
 use persson::sealing::{MagnifiedContact, SealingLaw};
 use persson::separation::{LIGHT_CONTACT, LightLoads, STIFFNESS_WITHIN, Separation, SeparationLaw};
-use persson::yielding::{SpotFactor, YieldedGap, YieldedSeparation, YieldingLaw};
-use persson::{Roughness, SealConductance, SealFlow, constant_hardness, elastic};
+use persson::yielding::{SpotFactor, YieldedSeparation, YieldingLaw};
+use persson::{Roughness, SealConductance, SealFlow};
 use spectrum::{Moments, Normalisation};
 
 use super::flat::FlatnessAdds;
@@ -55,6 +57,8 @@ pub struct InterfaceStates<'a> {
     elastic: Arc<ElasticStates>,
     /// The separation of bodies that yield under every load, once it is read; `None` where everything touches and flows.
     yielded: Vec<OnceLock<Option<YieldedSeparation>>>,
+    /// The conductance of the seal under every load, once it is read.
+    conductances: Vec<OnceLock<Option<SealConductance>>>,
     /// Factors of spots that have flowed under every load; those of the best inputs are those of their draws.
     spots: Vec<SpotFactor>,
 }
@@ -74,7 +78,6 @@ struct ElasticStates {
     /// The response to the tangential load under every load, once it is read; `None` where everything slides.
     sheared: Vec<OnceLock<Option<ShearedContact>>>,
     constrictions: Vec<OnceLock<Option<MagnifiedContact>>>,
-    conductances: Vec<OnceLock<Option<SealConductance>>>,
     /// Flow factors of the seal; draws of a spectrum share them.
     flow: Option<Arc<SealFlow>>,
     /// States with the deviation of the nominal contact from a plane as a wave, if one is given.
@@ -128,16 +131,15 @@ impl<'a> InterfaceStates<'a> {
         elastic: Arc<ElasticStates>,
         spots: Vec<SpotFactor>,
     ) -> Self {
-        let yielded = vec![OnceLock::new(); inputs.pressures.len()];
-        InterfaceStates { request, inputs, elastic, yielded, spots }
-    }
-
-    /// Returns the factors of spots that have flowed, each of which is computed for these inputs.
-    fn known_spots(&self) -> Vec<SpotFactor> {
-        for load in 0..self.inputs.pressures.len() {
-            let _ = self.separation(load);
+        let loads = inputs.pressures.len();
+        InterfaceStates {
+            request,
+            inputs,
+            elastic,
+            yielded: vec![OnceLock::new(); loads],
+            conductances: vec![OnceLock::new(); loads],
+            spots,
         }
-        self.spots.clone()
     }
 
     /// Returns the states with the deviation from flat faces as a wave of the roughness; `None` without one.
@@ -241,18 +243,6 @@ impl<'a> InterfaceStates<'a> {
         self.light_loads().is_some_and(|light| light.lacks_roll_off(&self.elastic.roughness))
     }
 
-    /// Mean gap \[m\] under any nominal pressure > 0 \[Pa\], of peaks that flow where a hardness is given; `None` where all has flowed.
-    #[must_use]
-    pub fn mean_gap_under_m(&self, pressure_pa: f64) -> Option<f64> {
-        Some(self.gap_at(pressure_pa)?.mean_gap_m)
-    }
-
-    /// Gap and stiffness of elastic peaks under any nominal pressure > 0 \[Pa\].
-    #[must_use]
-    pub fn separation_under(&self, pressure_pa: f64) -> Separation {
-        self.elastic.separation.whole(pressure_pa)
-    }
-
     /// The rms height \[m\] of the whole spectrum.
     #[must_use]
     pub fn rms_height_m(&self) -> f64 {
@@ -276,34 +266,6 @@ impl<'a> InterfaceStates<'a> {
             Band::Surface if area_fraction < LIGHT_CONTACT => STIFFNESS_WITHIN,
             _ => 1.0,
         }
-    }
-
-    /// The share of the contact that has flowed under a load by the theory with a constant hardness; `None` without one.
-    #[must_use]
-    pub fn plastic_share(&self, load: usize) -> Option<f64> {
-        let hardness_pa = self.inputs.hardness_pa?;
-        let spread_pa = self.elastic.spread_pa(self.modulus_pa());
-        let areas = constant_hardness::areas(self.pressure_pa(load), spread_pa, hardness_pa);
-        Some(areas.plastic / areas.contact())
-    }
-
-    /// Returns true if gap and stiffness leave out that peaks flow, as they do on a layer and where the hardness grows.
-    #[must_use]
-    pub fn leaves_out_yielding(&self) -> bool {
-        self.inputs.hardness_grows || self.inputs.pair.layer_compliance().is_some()
-    }
-
-    /// The nominal pressure \[Pa\] from which a seal is closed because its bodies flow: they touch the share p/H at least.
-    /// `None` without a seal or a hardness.
-    #[must_use]
-    pub fn closed_by_yielding_from_pa(&self) -> Option<f64> {
-        Some(self.request.seal?.threshold.area_fraction() * self.inputs.hardness_pa?)
-    }
-
-    /// The nominal pressure \[Pa\] that closes a seal, elastically or as its bodies flow; `None` without a seal.
-    fn tight_pressure_pa(&self) -> Option<f64> {
-        let elastic_pa = self.elastic.sealing.as_ref()?.tight_pressure_pa();
-        Some(self.closed_by_yielding_from_pa().map_or(elastic_pa, |from_pa| from_pa.min(elastic_pa)))
     }
 
     /// P/H under a load, with the range of the correlations for flowed peaks; `None` without a hardness.
@@ -522,13 +484,6 @@ impl<'a> InterfaceStates<'a> {
         Ok(Some(correlation.conductance_w_per_m2_k(&conductivities, &self.surface()?, ratio)))
     }
 
-    fn leak(&self, load: usize) -> Option<LeakRate> {
-        let joint = self.request.seal?.joint?;
-        let (conductance, area_fraction) = (self.seal_conductance(load)?, self.sealing_area_fraction(load)?);
-        let SealConductance { medium_m3, parallel_m3, .. } = conductance;
-        Some(joint.leak_rate([medium_m3, parallel_m3], area_fraction, self.longest_wave_m()))
-    }
-
     fn surface(&self) -> Result<CutSurface, InterfaceError> {
         CutSurface::from_rms_slope(self.elastic.moments.rms_height_m(), self.elastic.moments.rms_slope())
     }
@@ -536,93 +491,6 @@ impl<'a> InterfaceStates<'a> {
     fn relative_stiffness(&self, load: usize) -> Result<Option<RelativeStiffness>, InterfaceError> {
         let of = |stiffness| RelativeStiffness::new(stiffness, self.modulus_pa());
         self.stiffness_pa_per_m(load).map(of).transpose()
-    }
-
-    fn stiffness_pa_per_m(&self, load: usize) -> Option<f64> {
-        let stiffness = self.separation(load)?.unloading_stiffness_pa_per_m;
-        Some(stiffness).filter(|stiffness| stiffness.is_finite())
-    }
-
-    fn finite_stiffness_pa_per_m(&self, pressure_pa: f64) -> Option<f64> {
-        Some(self.elastic.separation.whole(pressure_pa).stiffness_pa_per_m)
-            .filter(|stiffness| stiffness.is_finite())
-    }
-
-    /// The share in contact under any pressure \[Pa\] by the elastic theory.
-    fn elastic_area_fraction(&self, pressure_pa: f64) -> Option<f64> {
-        Some(elastic::area_fraction(pressure_pa, self.elastic.spread_pa(self.modulus_pa())))
-    }
-
-    fn elastic_separation(&self, load: usize) -> Separation {
-        *self.elastic.separations[load].get_or_init(|| self.elastic.separation.whole(self.pressure_pa(load)))
-    }
-
-    /// Gap and stiffness under a load, of elastic peaks, or of those that flow at the hardness; `None` where all has flowed.
-    fn separation(&self, load: usize) -> Option<YieldedSeparation> {
-        let Some(hardness_pa) = self.constant_hardness_pa() else {
-            return Some(self.elastic_separation(load).into());
-        };
-        let find = || self.yielding().at(self.pressure_pa(load), hardness_pa, &self.spots[load]);
-        *self.yielded[load].get_or_init(find)
-    }
-
-    /// Gap under any pressure \[Pa\]; `None` where all has flowed.
-    fn gap_at(&self, pressure_pa: f64) -> Option<YieldedGap> {
-        match self.constant_hardness_pa() {
-            Some(hardness_pa) => self.yielding().gap(pressure_pa, hardness_pa),
-            None => Some(YieldedSeparation::from(self.elastic.separation.whole(pressure_pa)).gap),
-        }
-    }
-
-    fn constant_hardness_pa(&self) -> Option<f64> {
-        self.inputs.hardness_pa.filter(|_| !self.inputs.hardness_grows)
-    }
-
-    fn yielding(&self) -> &YieldingLaw {
-        let spread_pa = || self.elastic.spread_pa(self.modulus_pa());
-        self.elastic.yielding.get_or_init(|| YieldingLaw::new(&self.elastic.separation, spread_pa()))
-    }
-
-    fn is_closed_by_yielding(&self, load: usize) -> bool {
-        self.closed_by_yielding_from_pa().is_some_and(|from_pa| self.pressure_pa(load) >= from_pa)
-    }
-
-    fn constriction(&self, load: usize) -> Option<MagnifiedContact> {
-        let pressure_pa = self.pressure_pa(load);
-        if self.is_closed_by_yielding(load) {
-            return None;
-        }
-        let find = || self.elastic.sealing.as_ref()?.critical_constriction(pressure_pa);
-        *self.elastic.constrictions[load].get_or_init(find)
-    }
-
-    /// Computes the conductance of the gaps of a seal under a load; `None` without a seal and where it is tight.
-    #[must_use]
-    pub fn seal_conductance(&self, load: usize) -> Option<SealConductance> {
-        if self.is_closed_by_yielding(load) {
-            return None;
-        }
-        let conduct = || {
-            let (sealing, flow) = self.elastic.sealing.as_ref().zip(self.elastic.flow.as_ref())?;
-            let pressure_over_tight = self.pressure_pa(load) / sealing.tight_pressure_pa();
-            flow.conductance(pressure_over_tight, self.separation(load)?.gap.mean_gap_m)
-        };
-        match self.constant_hardness_pa() {
-            Some(_) => conduct(),
-            None => *self.elastic.conductances[load].get_or_init(conduct),
-        }
-    }
-
-    /// Returns the share of the area in contact under a load that decides a seal, by a fit to boundary elements; `None` without a seal.
-    #[must_use]
-    pub fn sealing_area_fraction(&self, load: usize) -> Option<f64> {
-        Some(self.elastic.sealing.as_ref()?.area_fraction(self.pressure_pa(load)))
-    }
-
-    /// Returns the longest wave of the spectrum \[m\], without that of a part that is not flat.
-    #[must_use]
-    pub fn longest_wave_m(&self) -> f64 {
-        self.inputs.results.psd.longest_wavelength_m()
     }
 
     pub(super) fn pressure_pa(&self, load: usize) -> f64 {
@@ -658,7 +526,6 @@ impl ElasticStates {
             sealing,
             sheared: vec![OnceLock::new(); loads],
             constrictions: vec![OnceLock::new(); loads],
-            conductances: vec![OnceLock::new(); loads],
             flow,
             with_wave: None,
             flatness: vec![OnceLock::new(); loads],

@@ -348,7 +348,7 @@ fn exponential_summits_contacts_and_plasticity_index_are_those_of_the_paper() {
     bench.run_with_input(&words, &sphere).refused_naming(&["--summit-heights"]);
 }
 
-/// The same over cutoffs, whose columns have the same formulas.
+/// Contacts and plasticity index over cutoffs follow from the other columns of the row.
 #[test]
 fn over_cutoffs_details_count_contacts() {
     let bench = Bench::new();
