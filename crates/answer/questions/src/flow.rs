@@ -344,7 +344,7 @@ impl PressedFlow {
         found.chunk_by(|one, next| one.load == next.load).map(MeanFlow::new).collect()
     }
 
-    /// Makes the table of pressed surfaces, of their [means](Self::means) or of each, with the flow factors.
+    /// Makes the table of pressed surfaces, of their means or of each, with the flow factors.
     ///
     /// Further columns: `flow_factor_x, flow_factor_y`, of means `flow_factor_x_sd, flow_factor_y_sd` (standard deviation over the
     /// surfaces), `flow_factor_x_error, flow_factor_y_error` (mean error by the spacing of the points), and `flow_residual`.
